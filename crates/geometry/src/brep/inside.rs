@@ -79,6 +79,20 @@ impl Pierced {
 }
 
 impl Sheet {
+    /// The sphere, cylinder or cone that its surface is a part of.
+    fn round(&self, surface: &Surface) -> Option<&Round> {
+        self.round.get_or_init(|| Round::of(surface).map(Box::new)).as_deref()
+    }
+
+    /// Whether a point is farther than a distance from the whole plane, sphere, cylinder or cone that the surface is a part
+    /// of; of others that is not told.
+    fn is_aside(&self, surface: &Surface, p: Point3, reach: f64) -> bool {
+        match surface {
+            Surface::Plane(flat) => flat.plane().signed_distance(p).abs() > reach,
+            _ => self.round(surface).is_some_and(|round| round.distance_to_whole(p) > reach),
+        }
+    }
+
     /// Where a segment meets the surface, by a formula: of planes, spheres, cylinders and cones.
     fn pierced(&self, surface: &Surface, p: Point3, way: Vector3) -> Option<Pierced> {
         let length = way.length();
@@ -99,7 +113,7 @@ impl Sheet {
                 Some(-height / slope).filter(|s| inside(*s)).map(place).into_iter().collect(),
             ));
         }
-        let round = self.round.get_or_init(|| Round::of(surface).map(Box::new)).as_ref()?;
+        let round = self.round(surface)?;
         let Some([first, second]) = round.line(p, way / length) else {
             return Some(Pierced::Points(Vec::new()));
         };
@@ -304,7 +318,7 @@ impl ClosestOnBrep {
         if self.bounds.distance_to(p) > tolerance {
             return Ok(Containment::Outside);
         }
-        if self.nearest(p)?.distance <= tolerance {
+        if self.is_near(p, tolerance)? {
             return Ok(Containment::On);
         }
         let size = self.bounds.diagonal().length();
@@ -316,6 +330,30 @@ impl ClosestOnBrep {
             }
         }
         Err(Error::degenerate("point to test", "every ray from it comes too near to an edge"))
+    }
+
+    /// Whether a point is no farther from the boundary than a distance: only edges and faces that may be as near are asked.
+    fn is_near(&self, p: Point3, reach: f64) -> Result<bool> {
+        if !(reach > 0.0) {
+            return Ok(self.nearest(p)?.distance <= reach);
+        }
+        // What is just as far away counts.
+        let beyond = reach * (1.0 + thresholds::FEW_ROUNDINGS);
+        for (_, curve, bounds) in &self.edges {
+            if bounds.distance_to(p) <= beyond && curve.closest_point_within(p, beyond)?.is_some() {
+                return Ok(true);
+            }
+        }
+        for sheet in self.sheets.iter().filter(|s| s.bounds.distance_to(p) <= beyond) {
+            let Some(surface) = self.brep.face_surface(sheet.face) else { continue };
+            if sheet.is_aside(surface, p, beyond) {
+                continue;
+            }
+            if self.nearest_on(sheet, p, beyond)?.is_some() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// How often a segment from a point crosses the faces, and whether it stays clear of edges and tangency.
@@ -348,7 +386,8 @@ impl ClosestOnBrep {
     pub(super) fn near_loop(&self, sheet: &Sheet, p: Point3, clear: f64) -> Result<bool> {
         for trim in self.brep.trims_of(sheet.face) {
             let Some(edge) = self.brep.trims().get(trim).and_then(|t| t.edge) else { continue };
-            let Some((_, curve, bounds)) = self.edges.iter().find(|(e, ..)| *e == edge) else { continue };
+            let Ok(place) = self.edges.binary_search_by_key(&edge, |e| e.0) else { continue };
+            let Some((_, curve, bounds)) = self.edges.get(place) else { continue };
             if bounds.distance_to(p) <= clear && curve.closest_point_within(p, clear)?.is_some() {
                 return Ok(true);
             }

@@ -1,5 +1,7 @@
 //! Which side of a closed brep is the inside.
 
+use katydid_elementary::Elementary;
+
 use super::{Brep, CurvePart, Parts, Solidity, Trim};
 use crate::brep::thresholds::NO_VOLUME;
 use crate::quadrature::GAUSS_6;
@@ -18,9 +20,13 @@ const GAUSS_2: [[f64; 2]; 1] = [[0.577_350_269_189_625_7, 1.0]];
 /// What is divided into more parts than this takes the short rule.
 const MANY: usize = 12;
 
-/// The integral over a range, by parts between increasing breaks.
-fn integral(range: Interval, breaks: &[f64], mut f: impl FnMut(f64) -> f64) -> f64 {
-    let rule = if breaks.len() > MANY { GAUSS_2.as_slice() } else { GAUSS_6.as_slice() };
+/// The rule for a range with so many breaks in it.
+fn rule(breaks: &[f64]) -> &'static [[f64; 2]] {
+    if breaks.len() > MANY { GAUSS_2.as_slice() } else { GAUSS_6.as_slice() }
+}
+
+/// The integral over a range, by a rule in each part between increasing breaks.
+fn integral(range: Interval, breaks: &[f64], rule: &[[f64; 2]], mut f: impl FnMut(f64) -> f64) -> f64 {
     let [low, high] = [range.min(), range.max()];
     let mut sum = 0.0;
     let mut from = low;
@@ -89,6 +95,13 @@ fn is_even_along_v(surface: &Surface) -> bool {
     }
 }
 
+/// Whether v runs along the rulings of a cylinder or cone, or a segment that is turned otherwise. There position · normal is
+/// a square of v: place, and derivative by the angle, change evenly, that by v not at all. The short rule is exact.
+fn is_square_along_v(surface: &Surface) -> bool {
+    matches!(surface, Surface::Revolution(s)
+        if s.angle_direction() == Direction::U && matches!(s.profile(), Curve::Line(_)))
+}
+
 /// The places at which a whole turn is looked at.
 const TURN_PLACES: usize = 4;
 
@@ -132,17 +145,24 @@ impl Parts {
         volume
     }
 
-    /// The share of a trim where what is integrated is the same everywhere: exact for straight ones.
+    /// The share of a trim where what is integrated is the same everywhere: exact for straight ones and arcs.
     fn flat_flux(&self, trim: &Trim, surface: &Surface, origin: Point3, density: f64) -> f64 {
         let part = &trim.part;
-        match self.trim_curve(trim) {
-            Some(curve @ Curve::Line(_)) => {
-                let [p, q] = [part.domain.start, part.domain.end].map(|t| part.point_at(curve, t));
-                let floor = surface.domain(Direction::V).start;
-                -density * (q.x - p.x) * (0.5 * (p.y + q.y) - floor)
-            }
-            _ => self.flux(trim, surface, origin),
-        }
+        let Some(curve @ (Curve::Line(_) | Curve::Arc(_))) = self.trim_curve(trim) else {
+            return self.flux(trim, surface, origin);
+        };
+        let [p, q] = [part.domain.start, part.domain.end].map(|t| part.point_at(curve, t));
+        let floor = surface.domain(Direction::V).start;
+        let below_chord = (q.x - p.x) * (0.5 * (p.y + q.y) - floor);
+        let beyond_chord = if let Curve::Arc(c) = curve {
+            // The segment between arc and chord: r²/2 (α − sin α), to the right of the chord where the arc turns left.
+            let turned = c.arc.angle.length() / c.domain.length() * part.range.length();
+            let left = c.arc.circle.plane.z_axis.z * if part.reversed { -1.0 } else { 1.0 };
+            0.5 * c.arc.circle.radius * c.arc.circle.radius * left * (turned.sine() - turned)
+        } else {
+            0.0
+        };
+        -density * (below_chord + beyond_chord)
     }
 
     /// The share of a trim in the integral of a third of position · normal over its face.
@@ -156,6 +176,7 @@ impl Parts {
         }
         let even = is_even_along_v(surface);
         let rows = if even { Vec::new() } else { breaks(surface, Direction::V) };
+        let along_rows = if is_square_along_v(surface) { GAUSS_2.as_slice() } else { rule(&rows) };
         let floor = surface.domain(Direction::V).start;
         let density = |u: f64, v: f64| density(surface, u, v, origin);
         let speed = part.range.length() / part.domain.length() * if part.reversed { -1.0 } else { 1.0 };
@@ -169,14 +190,15 @@ impl Parts {
             if even {
                 return slope * (place.y - floor) * density(place.x, floor);
             }
-            slope * integral(Interval::new(floor, place.y), &rows, |v| density(place.x, v))
+            slope * integral(Interval::new(floor, place.y), &rows, along_rows, |v| density(place.x, v))
         };
         if is_whole_turn(surface, curve, part) {
             let step = (part.domain.end - part.domain.start) / TURN_PLACES as f64;
             let places = (0..TURN_PLACES).map(|k| part.domain.start + step * (k as f64 + 0.5));
             return -step * places.map(share).sum::<f64>();
         }
-        -integral(part.domain, &stops(surface, curve, part), share)
+        let stops = stops(surface, curve, part);
+        -integral(part.domain, &stops, rule(&stops), share)
     }
 }
 

@@ -186,6 +186,17 @@ impl Round {
         Some(out)
     }
 
+    /// The distance of a point from the whole sphere, cylinder or cone: of a cone from both of its halves.
+    pub(crate) fn distance_to_whole(&self, p: Point3) -> f64 {
+        let [x, y, z] = self.frame.coordinates(p);
+        let from_axis = x.hypotenuse(y);
+        match self.form {
+            RoundForm::Sphere(r) => (from_axis.hypotenuse(z) - r).abs(),
+            RoundForm::Cylinder(r) => (from_axis - r).abs(),
+            RoundForm::Cone(k) => (from_axis - k * z.abs()).abs() / 1.0_f64.hypotenuse(k),
+        }
+    }
+
     /// Where a line meets the whole sphere, cylinder or cone: none or two distances along a unit direction. A line that
     /// lies in it meets it nowhere.
     pub(crate) fn line(&self, from: Point3, direction: Vector3) -> Option<[f64; 2]> {
@@ -267,6 +278,11 @@ mod tests {
                 let p = surface.point_at(u, v);
                 let [a, b] = round.parameters(p).unwrap();
                 assert!((a - u).abs() < 1e-9 && (b - v).abs() < 1e-9, "{surface:?} {u} {v} {a} {b}");
+                let normal = surface.normal_at(u, v).unwrap();
+                for off in [0.0, 1e-3, -2e-2] {
+                    let distance = round.distance_to_whole(p + normal * off);
+                    assert!((distance - off.abs()).abs() < 1e-9, "{surface:?} {u} {v} {off} {distance}");
+                }
                 let direction = Vector3::new(0.3, -0.5, 0.81).unitized().unwrap();
                 let hits = round.line(p - direction * 7.0, direction).unwrap();
                 assert!(hits.iter().any(|s| (s - 7.0).abs() < 1e-6), "{hits:?}");

@@ -11,7 +11,7 @@ use katydid_elementary::Elementary;
 use super::operands::{Face, Operands};
 use super::pieces::{OfEdge, Pieces};
 use super::refusal::RefusalClass;
-use super::thresholds::{ACROSS_SEAM, HALVINGS, NEWTON, SAME_DISTANCE, SAME_PARAMETER, SAMPLES};
+use super::thresholds::{ACROSS_SEAM, HALVINGS, NEWTON, ROUNDING, SAME_DISTANCE, SAME_PARAMETER, SAMPLES};
 use crate::brep::build::with_ends;
 use crate::region::Outline;
 use crate::{Curve, Direction, Interval, Line, Plane, Point3, Result, Side};
@@ -139,6 +139,10 @@ pub(super) fn trim_parameter(face: &Face, trim: &Curve, guess: f64, p: Point3) -
         t
     };
     let first = newton(guess);
+    // Where the image is at the point nothing else is nearer.
+    if off(first) <= ROUNDING * face.size {
+        return first;
+    }
     let best = (0..=SAMPLES)
         .map(|k| domain.at(k as f64 / SAMPLES as f64))
         .min_by(|a, b| off(*a).total_cmp(&off(*b)))
@@ -168,10 +172,10 @@ pub(super) fn regions(
     }
     plan.cut_poles()?;
     let before = plan.drawn();
-    plan.prune();
+    let chains = plan.prune();
     let idle: BTreeSet<usize> = before.difference(&plan.drawn()).copied().collect();
     plan.refuse_lost(pieces, &idle)?;
-    Ok((plan.loops()?, idle))
+    Ok((plan.loops(chains)?, idle))
 }
 
 /// An arrangement being made.
@@ -311,8 +315,9 @@ impl<'a> Plan<'a> {
         lost.map_or(Ok(()), |piece| Err(self.refuse(pieces.middle(*piece))))
     }
 
-    /// Takes drawn pieces away that end in nothing, and those with one region on both sides: they divide nothing.
-    fn prune(&mut self) {
+    /// Takes drawn pieces away that end in nothing, and those with one region on both sides: they divide nothing. Gives the
+    /// chains of what is left.
+    fn prune(&mut self) -> Vec<Vec<usize>> {
         loop {
             let count = self.arcs.len();
             let mut degrees = vec![0_usize; self.nodes.len()];
@@ -320,21 +325,22 @@ impl<'a> Plan<'a> {
                 arc.nodes.iter().for_each(|n| degrees[*n] += 1);
             }
             self.arcs.retain(|arc| arc.border || arc.nodes.iter().all(|n| degrees[*n] > 1));
-            if self.arcs.len() == count {
-                let chains = self.chains();
-                let mut of_half = vec![0; 2 * self.arcs.len()];
-                for (k, chain) in chains.iter().enumerate() {
-                    chain.iter().for_each(|h| of_half[*h] = k);
-                }
-                let mut place = 0;
-                self.arcs.retain(|arc| {
-                    let keep = arc.border || of_half[2 * place] != of_half[2 * place + 1];
-                    place += 1;
-                    keep
-                });
+            if self.arcs.len() < count {
+                continue;
             }
+            let chains = self.chains();
+            let mut of_half = vec![0; 2 * self.arcs.len()];
+            for (k, chain) in chains.iter().enumerate() {
+                chain.iter().for_each(|h| of_half[*h] = k);
+            }
+            let mut place = 0;
+            self.arcs.retain(|arc| {
+                let keep = arc.border || of_half[2 * place] != of_half[2 * place + 1];
+                place += 1;
+                keep
+            });
             if self.arcs.len() == count {
-                return;
+                return chains;
             }
         }
     }
@@ -389,16 +395,26 @@ impl<'a> Plan<'a> {
 
     /// Sorts the halves that leave a node counter-clockwise, by where they leave a circle around it.
     fn sort_around(&self, list: &mut [usize]) {
-        if list.len() < 2 {
+        // Of two each is the next one of the other.
+        if list.len() <= 2 {
             return;
         }
         let from = self.along(list[0], 0.0);
         let distance = |q: [f64; 2]| (q[0] - from[0]).hypotenuse(q[1] - from[1]);
         let step = |k: usize| k as f64 / SAMPLES as f64;
-        let reach =
-            |half: usize| (1..=SAMPLES).map(|k| distance(self.along(half, step(k)))).fold(0.0, f64::max);
+        // Segments leave every circle in their direction, and reach as far as their ends are.
+        let straight =
+            |half: usize| self.arcs.get(half / 2).is_some_and(|a| matches!(a.curve, Curve::Line(_)));
+        let reach = |half: usize| {
+            let first = if straight(half) { SAMPLES } else { 1 };
+            (first..=SAMPLES).map(|k| distance(self.along(half, step(k)))).fold(0.0, f64::max)
+        };
         let radius = 0.25 * list.iter().map(|half| reach(*half)).fold(f64::INFINITY, f64::min);
         let angle = |half: usize| {
+            if straight(half) {
+                let [p, q] = [self.along(half, 0.0), self.along(half, 1.0)];
+                return (q[1] - p[1]).arctangent_of(q[0] - p[0]);
+            }
             let (mut low, mut high) = (0.0, 1.0);
             for k in 1..=4 * SAMPLES {
                 let share = k as f64 / (4 * SAMPLES) as f64;
@@ -448,11 +464,11 @@ impl<'a> Plan<'a> {
     }
 
     /// The loops around every region.
-    fn loops(&self) -> Result<Vec<Loops>> {
+    fn loops(&self, chains: Vec<Vec<usize>>) -> Result<Vec<Loops>> {
         let outside = |half: usize| half % 2 == 1 && self.arcs.get(half / 2).is_some_and(|a| a.border);
         let mut outer: Vec<(f64, Vec<Step>, Outline, Vec<usize>)> = Vec::new();
         let mut holes: Vec<Vec<usize>> = Vec::new();
-        for chain in self.chains() {
+        for chain in chains {
             if chain.iter().any(|h| outside(*h)) {
                 if chain.iter().all(|h| outside(*h)) {
                     continue;

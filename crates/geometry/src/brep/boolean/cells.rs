@@ -154,6 +154,9 @@ fn memberships(
     }
     let boxes: Vec<BoundingBox> = all.faces.iter().map(|f| f.bounds).collect();
     let index = BoxIndex::new(&boxes);
+    let (borders, count) = borders(all, regions, groups);
+    // For every piece of every operand the operand that is looked at and the first that was asked at it.
+    let mut at_piece: Vec<(usize, usize)> = vec![(usize::MAX, 0); count];
     for (solid, own) in all.solids.iter().enumerate().filter(|(_, s)| s.closed) {
         let faces = index.near(&own.bounds, all.limit).into_iter();
         let near = faces.filter_map(|f| by_face.get(f)).flatten().copied();
@@ -161,16 +164,16 @@ fn memberships(
             near.filter(|g| groups.get(*g).is_some_and(|group| !group.holds(all, regions, solid))).collect();
         // What hangs together across pieces that are not on the operand's boundary is on one side of it.
         let mut sets: Vec<usize> = (0..asked.len()).collect();
-        let mut at_piece: BTreeMap<(usize, usize), usize> = BTreeMap::new();
         for (k, g) in asked.iter().enumerate() {
-            let Some(region) = groups.get(*g).and_then(|g| regions.get(g.region)) else { continue };
-            let member = all.faces.get(region.face).map_or(0, |f| f.solid);
-            for (piece, _) in region.pieces() {
+            for &(piece, place) in borders.get(*g).map_or(&[] as &[_], Vec::as_slice) {
                 if pieces.list.get(piece).is_some_and(|p| p.solids.contains(&solid)) {
                     continue;
                 }
-                let other = *at_piece.entry((member, piece)).or_insert(k);
-                let (a, b) = (root(&mut sets, k), root(&mut sets, other));
+                let Some(first) = at_piece.get_mut(place) else { continue };
+                if first.0 != solid {
+                    *first = (solid, k);
+                }
+                let (a, b) = (root(&mut sets, k), root(&mut sets, first.1));
                 sets[a.max(b)] = a.min(b);
             }
         }
@@ -193,6 +196,26 @@ fn memberships(
         }
     }
     Ok(out)
+}
+
+/// A piece, and its place among the pieces of all operands.
+type Border = (usize, usize);
+
+/// The pieces around the region of every group, and how many pieces of operands there are: one that lies on several
+/// operands counts for each.
+fn borders(all: &Operands, regions: &[Region], groups: &[Group]) -> (Vec<Vec<Border>>, usize) {
+    let mut places: HashMap<(usize, usize), usize> = HashMap::new();
+    let mut out = Vec::with_capacity(groups.len());
+    for group in groups {
+        let member = solid_of(all, regions, group.region);
+        let around = regions.get(group.region).into_iter().flat_map(Region::pieces);
+        let own = around.map(|(piece, _)| {
+            let next = places.len();
+            (piece, *places.entry((member, piece)).or_insert(next))
+        });
+        out.push(own.collect());
+    }
+    (out, places.len())
 }
 
 fn root(sets: &mut [usize], mut k: usize) -> usize {

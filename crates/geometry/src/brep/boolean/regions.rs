@@ -1,7 +1,5 @@
 //! The regions into which faces are cut, and points inside of them.
 
-use katydid_elementary::Elementary;
-
 use super::arrangement::{Loops, Track, regions};
 use super::operands::{Face, Operands};
 use super::pieces::{OnFace, Pieces};
@@ -88,6 +86,8 @@ fn region(all: &Operands, place: usize, face: &Face, loops: Loops) -> Result<Reg
 const LINES: [f64; 9] = [0.5, 0.31, 0.69, 0.17, 0.83, 0.07, 0.93, 0.43, 0.57];
 /// How many points inside are kept.
 const KEPT: usize = 4;
+/// Of so many points it is asked how far they are from the border: four for each pair of lines in both directions.
+const MOST_ASKED: usize = 4 * LINES.len();
 /// Points nearer to the border than this part of the largest distance are not asked.
 const LEAST_CLEARANCE: f64 = 0.1;
 
@@ -106,17 +106,59 @@ fn samples(face: &Face, region: &Region) -> Vec<Sample> {
         }
         outline.push(points);
     }
-    let mut found: Vec<(f64, [f64; 2])> = Vec::new();
+    if outline.iter().all(Vec::is_empty) {
+        return Vec::new();
+    }
+    let ends = [0, 1].map(|k: usize| {
+        let coordinates = outline.iter().flatten().map(|p| p[k]);
+        coordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)])
+    });
+    let whole = speeds(face, ends.map(|[low, high]| 0.5 * (low + high)));
+    // The widest stretches first: their middles may be the farthest from the border.
+    let mut stretches = stretches(&outline, ends, whole);
+    stretches.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let inside = stretches.into_iter().filter(|(_, uv)| region.covers(*uv)).take(MOST_ASKED);
+    let even = face.surface.is_affine();
+    let mut found: Vec<(f64, [f64; 2])> = inside
+        .map(|(_, uv)| (clearance(if even { whole } else { speeds(face, uv) }, &outline, uv), uv))
+        .collect();
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    // After the one farthest from the border those farthest from the ones before: what misses a part of the region is
+    // seen by points that disagree.
+    let clearest = found.first().map_or(0.0, |f| f.0);
+    let mut left: Vec<([f64; 2], Point3)> = (found.into_iter())
+        .filter(|(clear, _)| *clear >= LEAST_CLEARANCE * clearest)
+        .map(|(_, uv)| (uv, face.surface.point_at(uv[0], uv[1])))
+        .collect();
+    let mut out: Vec<Sample> = Vec::new();
+    while out.len() < KEPT && !left.is_empty() {
+        let apart = |p: Point3| out.iter().map(|o| o.point.distance_to(p)).fold(f64::INFINITY, f64::min);
+        let farthest =
+            (0..left.len()).max_by(|a, b| apart(left[*a].1).total_cmp(&apart(left[*b].1)).then(b.cmp(a)));
+        let Some(place) = farthest else { break };
+        let (uv, point) = left.remove(place);
+        out.extend(face.normal(uv).map(|normal| Sample { point, normal }));
+    }
+    out
+}
+
+/// The lengths of a face's derivatives at parameters.
+fn speeds(face: &Face, [u, v]: [f64; 2]) -> [f64; 2] {
+    let d = face.surface.derivatives(u, v, 1, face.surface.inner_quadrant(u, v));
+    [d.get(1, 0).length(), d.get(0, 1).length()]
+}
+
+/// Half the length and the middle of every stretch between two crossings with the border of lines laid between the ends of
+/// a region in both directions.
+fn stretches(outline: &[Vec<[f64; 2]>], ends: [[f64; 2]; 2], speeds: [f64; 2]) -> Vec<(f64, [f64; 2])> {
+    let mut out = Vec::new();
     for across in 0..2 {
         let along = 1 - across;
-        let (low, high) = outline
-            .iter()
-            .flatten()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[across]), h.max(p[across])));
+        let [low, high] = ends[across];
         for share in LINES {
             let level = low + share * (high - low);
             let mut hits = Vec::new();
-            for points in &outline {
+            for points in outline {
                 let next = points.iter().cycle().skip(1);
                 for (p, q) in points.iter().zip(next) {
                     if (p[across] > level) != (q[across] > level) {
@@ -129,40 +171,15 @@ fn samples(face: &Face, region: &Region) -> Vec<Sample> {
             for pair in hits.chunks_exact(2) {
                 let mut uv = [level; 2];
                 uv[along] = 0.5 * (pair[0] + pair[1]);
-                let clear = clearance(face, &outline, uv);
-                if region.covers(uv) {
-                    found.push((clear, uv));
-                }
+                out.push((0.5 * (pair[1] - pair[0]) * speeds[along], uv));
             }
         }
-    }
-    found.sort_by(|a, b| b.0.total_cmp(&a.0));
-    // After the one farthest from the border those farthest from the ones before: what misses a part of the region is
-    // seen by points that disagree.
-    let clearest = found.first().map_or(0.0, |f| f.0);
-    let mut left: Vec<Sample> = (found.into_iter())
-        .filter(|(clear, _)| *clear >= LEAST_CLEARANCE * clearest)
-        .filter_map(|(_, uv)| {
-            Some(Sample { point: face.surface.point_at(uv[0], uv[1]), normal: face.normal(uv)? })
-        })
-        .collect();
-    let mut out: Vec<Sample> = Vec::new();
-    while out.len() < KEPT && !left.is_empty() {
-        let apart =
-            |s: &Sample| out.iter().map(|o| o.point.distance_to(s.point)).fold(f64::INFINITY, f64::min);
-        let farthest =
-            (0..left.len()).max_by(|a, b| apart(&left[*a]).total_cmp(&apart(&left[*b])).then(b.cmp(a)));
-        let Some(place) = farthest else { break };
-        let next = left.remove(place);
-        out.push(next);
     }
     out
 }
 
-/// About how far parameters are from the border, as a length on the surface.
-fn clearance(face: &Face, outline: &[Vec<[f64; 2]>], uv: [f64; 2]) -> f64 {
-    let d = face.surface.derivatives(uv[0], uv[1], 1, face.surface.inner_quadrant(uv[0], uv[1]));
-    let [a, b] = [d.get(1, 0).length(), d.get(0, 1).length()];
+/// About how far parameters are from the border, as a length on a surface whose derivatives there have two lengths.
+fn clearance([a, b]: [f64; 2], outline: &[Vec<[f64; 2]>], uv: [f64; 2]) -> f64 {
     let mut least = f64::INFINITY;
     for points in outline {
         let next = points.iter().cycle().skip(1);
@@ -175,8 +192,9 @@ fn clearance(face: &Face, outline: &[Vec<[f64; 2]>], uv: [f64; 2]) -> f64 {
             } else {
                 0.0
             };
-            least = least.min((from[0] + t * way[0]).hypotenuse(from[1] + t * way[1]));
+            let off = [from[0] + t * way[0], from[1] + t * way[1]];
+            least = least.min(off[0] * off[0] + off[1] * off[1]);
         }
     }
-    least
+    least.sqrt()
 }

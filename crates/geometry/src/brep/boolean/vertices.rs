@@ -2,9 +2,12 @@
 
 use std::collections::HashMap;
 
-use crate::Point3;
+use crate::{Point3, Vector3};
 
-/// Points by the cells of a grid as wide as the tolerance.
+/// How wide a cell is, in tolerances: what is within the tolerance of a point lies mostly in the point's own cell.
+const CELL: f64 = 8.0;
+
+/// Points by the cells of a grid some tolerances wide.
 #[derive(Debug)]
 pub(super) struct Vertices {
     points: Vec<Point3>,
@@ -36,14 +39,19 @@ impl Vertices {
 
     /// The known vertex nearest to a point, within the tolerance.
     pub(super) fn known(&self, p: Point3) -> Option<usize> {
-        let [x, y, z] = self.cell(p);
+        let reach = Vector3::new(self.near, self.near, self.near);
+        let [low, high] = [self.cell(p - reach), self.cell(p + reach)];
         let mut best: Option<(f64, usize)> = None;
-        for k in 0..27_i64 {
-            let cell = [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1];
-            for &place in self.cells.get(&cell).map_or(&[] as &[usize], Vec::as_slice) {
-                let distance = self.point(place).distance_to(p);
-                if distance <= self.near && best.is_none_or(|b| (distance, place) < b) {
-                    best = Some((distance, place));
+        // Mostly one cell, eight at a corner.
+        for x in low[0]..=high[0] {
+            for y in low[1]..=high[1] {
+                for z in low[2]..=high[2] {
+                    for &place in self.cells.get(&[x, y, z]).map_or(&[] as &[usize], Vec::as_slice) {
+                        let distance = self.point(place).distance_to(p);
+                        if distance <= self.near && best.is_none_or(|b| (distance, place) < b) {
+                            best = Some((distance, place));
+                        }
+                    }
                 }
             }
         }
@@ -68,6 +76,7 @@ impl Vertices {
     #[allow(clippy::cast_possible_truncation, reason = "far away points share the last cell")]
     fn cell(&self, p: Point3) -> [i64; 3] {
         // Coordinates are finite; saturation far away only makes searches slower.
-        [p.x, p.y, p.z].map(|x| ((x / self.near).floor() as i64).clamp(-(1 << 60), 1 << 60))
+        let width = CELL * self.near;
+        [p.x, p.y, p.z].map(|x| ((x / width).floor() as i64).clamp(-(1 << 60), 1 << 60))
     }
 }
