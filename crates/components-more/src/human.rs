@@ -1,7 +1,11 @@
-//! Human: previews with colours and line weights.
+//! Human: previews with colours and line weights, and objects of other models.
 
-use katydid_component::component;
-use katydid_data::{Colour, Geometry, Material};
+use std::sync::Arc;
+
+use katydid_component::{Context, Message, RhinoModel, component};
+use katydid_data::{Colour, Geometry, Material, Value};
+
+use crate::wildcard::takes;
 
 /// What geometry is shown in where nothing is given; the plug-in's own colour is not known.
 const GREY: Colour = Colour::rgb(150, 150, 150);
@@ -58,7 +62,7 @@ fn lineweights_before(
     at = "Human/Display"
 )]
 fn materials(
-    context: &katydid_component::Context<'_>,
+    context: &Context<'_>,
     /// The geometry.
     #[port("Geometry", "G")]
     _geometry: Geometry,
@@ -70,14 +74,69 @@ fn materials(
     _transparency: Option<f64>,
     /// A picture on the geometry; not supported.
     #[port("Diffuse Bitmap", "DB", optional)]
-    picture: Option<std::sync::Arc<str>>,
+    picture: Option<Arc<str>>,
     /// A picture of how much light passes; not supported.
     #[port("Transparency Bitmap", "TB", optional)]
-    mask: Option<std::sync::Arc<str>>,
+    mask: Option<Arc<str>>,
 ) {
     if picture.is_some() || mask.is_some() {
-        context.tell(katydid_component::Message::remark(
-            "Pictures on geometry are not supported: it has its colour only",
-        ));
+        context.tell(Message::remark("Pictures on geometry are not supported: it has its colour only"));
+    }
+}
+
+/// The objects of a .3dm file. Which files may be read is set where the definition runs. Stands for Human's Read 3dm File; that
+/// the filter takes the path of a layer or its own name, and `*` for any text, is our reading.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd301",
+    name = "Read 3dm File",
+    nick = "Read3dm",
+    at = "Human/Reference"
+)]
+#[output("Objects", "O", "The geometry.")]
+#[output("Layer Names", "L", "The path of the layer of each.")]
+#[output("Attributes", "A", "Each object with its attributes.", kind = Content)]
+#[output("Units", "U", "The unit of length of the file.")]
+fn read_3dm_file(
+    context: &Context<'_>,
+    /// The path of the file.
+    #[port("File Path", "FP")]
+    path: Arc<str>,
+    /// Only objects on layers of this name; all when there is none.
+    #[port("Layer Filter", "L", optional)]
+    filter: Option<Arc<str>>,
+) -> Result<(Vec<Geometry>, Vec<Arc<str>>, Vec<Value>, Vec<Arc<str>>), Message> {
+    let bytes = context.read_file(&path)?;
+    let model =
+        RhinoModel::read(&bytes).map_err(|why| Message::error(format!("{path} cannot be read: {why}")))?;
+    context.items(model.objects().len().saturating_mul(3))?;
+    let (mut shapes, mut layers, mut contents) = (Vec::new(), Vec::new(), Vec::new());
+    let mut left_out = 0_usize;
+    for object in model.objects() {
+        let own = object.layer.rsplit("::").next().unwrap_or_default();
+        let wanted = |filter: &Arc<str>| takes(filter, &object.layer) || takes(filter, own);
+        if !filter.as_ref().is_none_or(wanted) {
+            continue;
+        }
+        let Some(shape) = &object.geometry else {
+            left_out += 1;
+            continue;
+        };
+        shapes.push(Geometry(shape.clone()));
+        layers.push(Arc::from(object.layer.as_str()));
+        contents.push(object.content.clone());
+    }
+    if left_out > 0 {
+        context.warn(format!("{left_out} objects are of types that are not supported"));
+    }
+    Ok((shapes, layers, contents, vec![Arc::from(model.units.name())]))
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::testing::Trial;
+
+    #[test]
+    fn files_that_may_not_be_read_are_refused() {
+        assert!(Trial::of("Read 3dm File").item("model.3dm").message().contains("cannot be read"));
     }
 }

@@ -14,9 +14,13 @@
 mod anemone;
 mod bison;
 mod bitmap_plus;
+mod color_plus;
+mod dendro;
 mod docofossor;
+mod elefront;
 mod hoopsnake;
 mod human;
+mod jswan;
 mod kangaroo;
 mod kept;
 mod lunchbox;
@@ -25,8 +29,10 @@ mod noise;
 mod polygons;
 mod pufferfish;
 mod telepathy;
+mod treesloth;
 mod voxel_tools;
 mod weaverbird;
+mod wildcard;
 
 use katydid_component::Plugin;
 
@@ -43,9 +49,13 @@ plugins! {
     "Anemone" by "Mateusz Zwierzycki" as "anemone";
     "Bison" by "bison.la" as "bison";
     "BitmapPlus" by "David Mans" as "bitmapplus";
+    "ColorPlus" by "David Mans" as "colorplus";
+    "Dendro" by "ecr labs" as "dendro";
     "Docofossor" by "Mathias Bernhard, Ilmar Hurkxkens" as "docofossor";
+    "EleFront" by "Ramon van der Heijden, Alan Tai" as "elefront";
     "HoopSnake" by "Yannis Chatzikonstantinou" as "hoopsnake";
     "Human" by "Andrew Heumann" as "human";
+    "jSwan" by "Andrew Heumann" as "jswan";
     "Kangaroo2" by "Daniel Piker" as "kangaroo2";
     // The elder one, whose components stand in the same tab.
     "Kangaroo2" by "Daniel Piker" as "kangaroo";
@@ -55,6 +65,7 @@ plugins! {
     "Noise4D" by "unknown" as "4dnoise";
     "Pufferfish" by "Michael Pryor" as "pufferfish";
     "Telepathy" by "Andrew Heumann" as "telepathy";
+    "TreeSloth" by "David Stasiuk" as "treesloth";
     "VoxelTools" by "Arend van Waart" as "voxeltools";
     "Weaverbird" by "Giulio Piacentino" as "weaverbird";
 }

@@ -17,6 +17,7 @@ import type { Tab } from "./table/tab";
 import * as terrains from "./table/terrains";
 import { transform } from "./table/transform";
 import { vectors } from "./table/vector";
+import * as volumes from "./table/volumes";
 
 const TABS: Readonly<Record<string, Tab>> = {
   Params: params,
@@ -34,15 +35,20 @@ const TABS: Readonly<Record<string, Tab>> = {
   Anemone: loops.anemone,
   Bison: terrains.bison,
   BitmapPlus: terrains.bitmapPlus,
+  ColorPlus: volumes.colorplus,
+  Dendro: volumes.dendro,
   Docofossor: terrains.docofossor,
+  EleFront: volumes.elefront,
   HoopSnake: loops.hoopSnake,
   Human: plugins.human,
+  jSwan: volumes.jswan,
   Kangaroo2: plugins.kangaroo2,
   LunchBox: plugins.lunchbox,
   MeshEdit: plugins.meshedit,
   Noise4D: terrains.noise4D,
   Pufferfish: terrains.pufferfish,
   Telepathy: plugins.telepathy,
+  TreeSloth: volumes.treesloth,
   VoxelTools: terrains.voxelTools,
   Weaverbird: plugins.weaverbird,
 };

@@ -4,6 +4,7 @@ mod panels;
 mod structures;
 #[cfg(test)]
 mod tests;
+mod truss;
 
 use std::sync::Arc as Shared;
 

@@ -27,8 +27,9 @@ macro_rules! structure {
     ($(#[$help:meta])* $function:ident, $guid:literal, $name:literal, $nick:literal, $rule:expr) => {
         $(#[$help])*
         #[component($guid, name = $name, nick = $nick, at = "LunchBox/LunchBox Structure")]
-        #[output("Lines", "Lines", "The centre lines.")]
-        #[output("Nodes", "Nodes", "The points where they meet.")]
+        #[output("Lines A", "LinesA", "The lines of the grid.")]
+        #[output("Lines B", "LinesB", "The diagonals.")]
+        #[output("Nodes", "Nodes", "The points where lines of the grid meet.")]
         fn $function(
             context: &Context<'_>,
             /// The surface.
@@ -40,26 +41,46 @@ macro_rules! structure {
             /// The number of divisions along v.
             #[port("V", "V", default = 10)]
             v: i32,
-        ) -> Result<(Vec<Line>, Vec<Point3>), Message> {
+        ) -> Result<(Vec<Line>, Vec<Line>, Vec<Point3>), Message> {
             let lattice = Lattice::new(context, surface, u, v)?;
-            let (mut lines, nodes) = grid(&lattice);
+            let (lines, nodes) = grid(&lattice);
+            let mut diagonals = Vec::new();
             let [m, n] = lattice.cells;
             for i in 0..m {
                 for j in 0..n {
                     let braces: fn(usize, usize) -> Vec<[(usize, usize); 2]> = $rule;
-                    lines.extend(braces(i, j).into_iter().map(|[a, b]| lattice.line(a, b)));
+                    diagonals.extend(braces(i, j).into_iter().map(|[a, b]| lattice.line(a, b)));
                 }
             }
-            Ok((lines, nodes))
+            Ok((lines, diagonals, nodes))
         }
     };
 }
 
-structure!(
-    /// A grid of lines on a surface. Stands for LunchBox's Grid Structure.
-    grid_structure, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1c11", "Grid Structure", "Grid",
-    |_, _| Vec::new()
-);
+/// A grid of lines on a surface. Stands for LunchBox's Grid Structure.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1c11",
+    name = "Grid Structure",
+    nick = "Grid",
+    at = "LunchBox/LunchBox Structure"
+)]
+#[output("Lines", "Lines", "The centre lines.")]
+#[output("Nodes", "Nodes", "The points where they meet.")]
+fn grid_structure(
+    context: &Context<'_>,
+    /// The surface.
+    #[port("Srf", "Srf")]
+    surface: &Surface,
+    /// The number of divisions along u.
+    #[port("U", "U", default = 10)]
+    u: i32,
+    /// The number of divisions along v.
+    #[port("V", "V", default = 10)]
+    v: i32,
+) -> Result<(Vec<Line>, Vec<Point3>), Message> {
+    Ok(grid(&Lattice::new(context, surface, u, v)?))
+}
+
 structure!(
     /// A grid of lines on a surface with a diagonal in each cell. Stands for LunchBox's Braced Grid 1D Structure; which diagonal is
     /// our reading.

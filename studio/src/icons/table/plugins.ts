@@ -33,6 +33,9 @@ export const human: Tab = {
     "Custom Preview Lineweights": shown("CP"),
     "Custom Preview Materials": shown("CM"),
   },
+  Reference: {
+    "Read 3dm File": solid("R3"),
+  },
 };
 
 export const kangaroo2: Tab = {
@@ -175,6 +178,7 @@ export const lunchbox: Tab = {
     "Triangular Panels A": panels("TA"),
   },
   "LunchBox Structure": {
+    "2D Truss": frame("2T"),
     "Braced Grid 1D Structure": frame("BG"),
     "Braced Grid 2D Structure": frame("BS"),
     "Diagrid Structure": frame("DS"),

@@ -1,0 +1,226 @@
+//! EleFront: objects of the Rhino model by layer, name and user text, and their attributes.
+//!
+//! Its documentation tells what each does and which attributes there are; names of ports and how filters are written are our
+//! reading. The model is the file given with `--model`.
+
+use std::sync::Arc;
+
+use katydid_component::{Context, List, Message, RhinoModel, component};
+use katydid_data::{Colour, Content, ModelObject, Value};
+
+use crate::wildcard::takes;
+
+fn model<'a>(context: &Context<'a>) -> Result<&'a RhinoModel, Message> {
+    let why = "Needs the Rhino model: none is given (katydid run FILE --model MODEL.3dm)";
+    context.model().ok_or_else(|| Message::warning(why))
+}
+
+/// The objects that pass, in the order of the model.
+fn objects(context: &Context<'_>, passes: impl Fn(&ModelObject) -> bool) -> Result<Vec<Value>, Message> {
+    let mut found = Vec::new();
+    for object in model(context)?.objects() {
+        context.check()?;
+        let Value::Content(content) = &object.content else { continue };
+        if let Content::Object(known) = &**content
+            && known.geometry.is_some()
+            && passes(known)
+        {
+            found.push(object.content.clone());
+        }
+    }
+    context.items(found.len())?;
+    Ok(found)
+}
+
+fn any(patterns: &List<Arc<str>>, text: &str) -> bool {
+    patterns.iter().flatten().any(|pattern| takes(&pattern, text))
+}
+
+/// The objects of the Rhino model on layers. `*` stands for any text, `?` for one character; capitals do not matter. Stands for
+/// EleFront's Reference by Layer; that layers below are left out is our reading.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd201",
+    name = "Reference by Layer",
+    nick = "RefLayer",
+    at = "EleFront/01 Reference"
+)]
+#[output("Geometry", "G", "The objects.", kind = Content)]
+fn reference_by_layer(
+    context: &Context<'_>,
+    /// The paths of the layers (`Outer::Inner`), or their own names.
+    #[port("Layer", "L")]
+    layers: List<Arc<str>>,
+) -> Result<Vec<Value>, Message> {
+    objects(context, |object| {
+        object.layer.as_deref().is_some_and(|layer| any(&layers, &layer.path) || any(&layers, layer.name()))
+    })
+}
+
+/// The objects of the Rhino model of some names. `*` stands for any text, `?` for one character; capitals do not matter. Stands
+/// for EleFront's Reference by Name.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd202",
+    name = "Reference by Name",
+    nick = "RefName",
+    at = "EleFront/01 Reference"
+)]
+#[output("Geometry", "G", "The objects.", kind = Content)]
+fn reference_by_name(
+    context: &Context<'_>,
+    /// The names.
+    #[port("Name", "N")]
+    names: List<Arc<str>>,
+) -> Result<Vec<Value>, Message> {
+    objects(context, |object| any(&names, &object.name))
+}
+
+/// The objects of the Rhino model that have a user text under a key. Stands for EleFront's Reference by Key.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd203",
+    name = "Reference by Key",
+    nick = "RefKey",
+    at = "EleFront/01 Reference"
+)]
+#[output("Geometry", "G", "The objects.", kind = Content)]
+fn reference_by_key(
+    context: &Context<'_>,
+    /// The keys; one is enough.
+    #[port("Key", "K")]
+    keys: List<Arc<str>>,
+) -> Result<Vec<Value>, Message> {
+    objects(context, |object| keys.iter().flatten().any(|key| object.text_of(&key).is_some()))
+}
+
+/// The objects of the Rhino model that have certain user texts under keys. Stands for EleFront's Reference by Key and Value; that
+/// all pairs must be there is our reading.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd204",
+    name = "Reference by Key and Value",
+    nick = "RefKeyValue",
+    at = "EleFront/01 Reference"
+)]
+#[output("Geometry", "G", "The objects.", kind = Content)]
+fn reference_by_key_and_value(
+    context: &Context<'_>,
+    /// The keys.
+    #[port("Key", "K")]
+    keys: List<Arc<str>>,
+    /// The text under each; `*` stands for any.
+    #[port("Value", "V")]
+    values: List<Arc<str>>,
+) -> Result<Vec<Value>, Message> {
+    if keys.len() != values.len() {
+        return Err(Message::error(format!("There are {} keys and {} values", keys.len(), values.len())));
+    }
+    let pairs: Vec<(Arc<str>, Arc<str>)> =
+        keys.iter().zip(values.iter()).filter_map(|(key, value)| Some((key?, value?))).collect();
+    objects(context, |object| {
+        let has =
+            |(key, value): &(Arc<str>, Arc<str>)| object.text_of(key).is_some_and(|text| takes(value, text));
+        !pairs.is_empty() && pairs.iter().all(has)
+    })
+}
+
+/// The object that an item is, or is the geometry of.
+fn object_of(context: &Context<'_>, value: &Value) -> Option<ModelObject> {
+    let known = context.model().and_then(|model| model.object_of(value)).map(|object| &object.content);
+    match known.unwrap_or(value) {
+        Value::Content(content) => match &**content {
+            Content::Object(object) => Some(object.clone()),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The name, layer and colour of an object of the Rhino model; null where geometry is of no object. Stands for EleFront's Get
+/// Rhino Attributes. Material and source file are not supported.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd205",
+    name = "Get Rhino Attributes",
+    nick = "GetRhAtt",
+    at = "EleFront/02 Attributes"
+)]
+#[output("Name", "N", "The name.")]
+#[output("Layer", "L", "The path of the layer.")]
+#[output("Color", "C", "Its own colour, else that of its layer.")]
+fn rhino_attributes(
+    context: &Context<'_>,
+    /// The object, or its geometry.
+    #[port("Geometry", "G", kind = Generic)]
+    geometry: Value,
+) -> (Option<Arc<str>>, Option<Arc<str>>, Option<Colour>) {
+    let Some(object) = object_of(context, &geometry) else {
+        context.warn("The geometry is of no object of the model: it has no attributes");
+        return (None, None, None);
+    };
+    let layer = object.layer.as_deref();
+    let colour = object.colour.or_else(|| layer.and_then(|layer| layer.colour));
+    let name = Some(object.name.clone()).filter(|name| !name.is_empty());
+    (name, layer.map(|layer| layer.path.clone()), colour)
+}
+
+/// The user texts of an object of the Rhino model. Stands for EleFront's Get User Attributes.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd206",
+    name = "Get User Attributes",
+    nick = "GetUA",
+    at = "EleFront/02 Attributes"
+)]
+#[output("Key", "K", "The keys, in their order.")]
+#[output("Value", "V", "The text under each.")]
+fn user_attributes(
+    context: &Context<'_>,
+    /// The object, or its geometry.
+    #[port("Geometry", "G", kind = Generic)]
+    geometry: Value,
+) -> Result<(Vec<Arc<str>>, Vec<Arc<str>>), Message> {
+    let Some(object) = object_of(context, &geometry) else {
+        context.warn("The geometry is of no object of the model: it has no attributes");
+        return Ok((Vec::new(), Vec::new()));
+    };
+    context.items(object.user_text.len())?;
+    Ok(object.user_text.iter().cloned().unzip())
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::testing::Trial;
+    use katydid_component::{Message, RhinoModel};
+    use katydid_data::{ModelLayer, ModelObject, Value};
+    use katydid_geometry::Point3;
+
+    fn wall() -> Value {
+        let mut object = ModelObject::new(Value::from(Point3::new(1.0, 2.0, 3.0)));
+        object.name = "north".into();
+        object.layer = Some(std::sync::Arc::new(ModelLayer::at("House::Walls")));
+        object.set_text("height", "3");
+        object.set_text("fire", "yes");
+        Value::from(object)
+    }
+
+    #[test]
+    fn attributes_of_objects() {
+        let rhino = |k: usize| Trial::of("Get Rhino Attributes").item(wall()).texts(k);
+        assert_eq!(rhino(0), ["{0}: north"]);
+        assert_eq!(rhino(1), ["{0}: House::Walls"]);
+        assert_eq!(Trial::of("Get User Attributes").item(wall()).texts(0), ["{0;0}: height, fire"]);
+        assert_eq!(Trial::of("Get User Attributes").item(wall()).texts(1), ["{0;0}: 3, yes"]);
+    }
+
+    #[test]
+    fn geometry_of_no_object_has_none() {
+        let trial = Trial::of("Get Rhino Attributes").item(Point3::ORIGIN);
+        assert_eq!(trial.texts(0), ["{0}: null"]);
+    }
+
+    #[test]
+    fn references_need_a_model() {
+        for name in ["Reference by Layer", "Reference by Name", "Reference by Key"] {
+            assert!(Trial::of(name).item("*").message().starts_with("Needs the Rhino model"), "{name}");
+            assert!(Trial::of(name).item("*").model(RhinoModel::default()).message().is_empty(), "{name}");
+        }
+        let pairs = Trial::of("Reference by Key and Value").list(["a"]).list(["b", "c"]);
+        assert_eq!(pairs.message(), Message::error("There are 1 keys and 2 values").text);
+    }
+}
