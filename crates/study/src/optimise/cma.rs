@@ -112,7 +112,9 @@ impl Cma {
         };
         let least = recent.iter().fold(f64::INFINITY, |least: f64, x| least.min(*x));
         let most = recent.iter().fold(f64::NEG_INFINITY, |most: f64, x| most.max(*x));
-        !(most - least > FLAT * most.abs().max(least.abs()))
+        // Where no point has a result the spread is no number.
+        let spread = most - least;
+        spread.is_nan() || spread <= FLAT * most.abs().max(least.abs())
     }
 
     /// Axes and lengths of the covariance.
