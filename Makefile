@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
+.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -73,6 +73,10 @@ $(VENV)-compute/installed: python-tests/compute/requirements.txt
 	$(PYTHON) -m venv $(VENV)-compute
 	$(VENV)-compute/bin/pip install -q -r python-tests/compute/requirements.txt
 	touch $@
+
+# Effects on the volume and area of solids: half a minute, so no part of `make test`; run it after a change of effects.
+test-effects:
+	cargo test -p katydid-study --test effects -- --ignored
 
 # Ladybug's packages from PyPI in a script component. Not part of `make test`: it fetches them.
 test-ladybug: $(VENV)-ladybug/installed

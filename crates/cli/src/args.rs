@@ -5,8 +5,11 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::effects::EffectsArgs;
+use crate::optimise::OptimiseArgs;
 use crate::scripts::{ScriptArgs, StudioScriptArgs};
 use crate::serve_args::ServeArgs;
+use crate::solve_for::SolveForArgs;
 use crate::sweep::SweepArgs;
 use crate::web_args::WebArgs;
 
@@ -26,6 +29,9 @@ Examples:
   katydid components 'Divide Curve'             help for a component
   katydid view facade.gh -o facade.png          a picture of what it makes
   katydid sweep facade.gh --plan plan.json -o study   a table of variants
+  katydid effects facade.gh --of Area           which slider moves a number, and how far that holds
+  katydid optimise facade.gh --minimise Area -o best   inputs that make a number small or large
+  katydid solve-for facade.gh --want Area=120   where the sliders must stand for a wanted number
   katydid studio facade.gh                      edit it in the browser
   katydid serve                                 answer the clients of Rhino.Compute and Hops")]
 pub(crate) struct Katydid {
@@ -53,6 +59,12 @@ pub(crate) enum Command {
     View(ViewArgs),
     /// Solve a definition at many points, into a table: grids, samples, rows of a file
     Sweep(SweepArgs),
+    /// Tell which inputs move a number: here, with derivatives, and over their whole ranges, with shares
+    Effects(EffectsArgs),
+    /// Find the inputs that make outputs small or large (CMA-ES, NSGA-II), or what a Galapagos object asks for
+    Optimise(Box<OptimiseArgs>),
+    /// Find where sliders must stand for outputs to give wanted numbers or points
+    SolveFor(SolveForArgs),
     /// Build the pages of a live book from a folder of Markdown and definitions
     Book(BookArgs),
     /// Open the studio in the browser: the definition on a canvas, its geometry beside it

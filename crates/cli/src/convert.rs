@@ -105,3 +105,16 @@ fn from_text(args: &ConvertArgs, to: &str) -> Result<Vec<u8>, String> {
     }
     encode(args, &definition.document.to_archive().root, to)
 }
+
+/// Writes a definition in the form that the path's extension names.
+pub(crate) fn write_document(document: &Document, path: &Path) -> Result<(), String> {
+    let bytes = match extension(path).as_str() {
+        "kd" => kd::write(document, &Registry).map_err(|error| failed(path, &error))?.text.into_bytes(),
+        "ghx" => archive::write_ghx(&document.to_archive().root)
+            .map_err(|error| failed(path, &error))?
+            .into_bytes(),
+        "gh" => archive::write_gh(&document.to_archive().root).map_err(|error| failed(path, &error))?,
+        _ => return Err(format!("{}: a definition is written as .gh, .ghx or .kd", path.display())),
+    };
+    write_file(path, &bytes)
+}

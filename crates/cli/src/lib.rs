@@ -9,12 +9,14 @@ mod components;
 mod convert;
 mod convert_model;
 mod diff;
+mod effects;
 mod explain;
 mod fmt;
 mod info;
 mod members;
 mod model_file;
 mod open;
+mod optimise;
 mod output;
 mod program;
 mod progress;
@@ -25,6 +27,7 @@ mod scripts;
 mod serve;
 mod serve_args;
 mod serving;
+mod solve_for;
 mod source;
 mod studio;
 mod sweep;
@@ -63,6 +66,9 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::View(args) => view::view(args),
         Command::Book(args) => book::book(args),
         Command::Sweep(args) => sweep::sweep(args),
+        Command::Effects(args) => effects::effects(args),
+        Command::Optimise(args) => optimise::optimise(args),
+        Command::SolveFor(args) => solve_for::solve_for(args),
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args, program),
         Command::Trust(args) => scripts::trust(args),

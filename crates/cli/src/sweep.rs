@@ -71,7 +71,7 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<u8, String> {
     let settings = Settings {
         workers: args.workers.unwrap_or(processors),
         retry: args.retry,
-        identity: identity(args)?,
+        identity: identity(&args.definition)?,
         cancel: Cancel::default(),
     };
     ticks::on_interrupt(settings.cancel.clone());
@@ -97,12 +97,12 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<u8, String> {
 }
 
 /// What the results hang on besides the plan: the files, and how they are read.
-fn identity(args: &SweepArgs) -> Result<Vec<u8>, String> {
-    let mut bytes = source::bytes(&args.definition.file)?;
-    if let Some(model) = &args.definition.model {
+pub(crate) fn identity(args: &DefinitionArgs) -> Result<Vec<u8>, String> {
+    let mut bytes = source::bytes(&args.file)?;
+    if let Some(model) = &args.model {
         bytes.extend(source::bytes(model)?);
     }
-    let DefinitionArgs { set, units, lenient, .. } = &args.definition;
+    let DefinitionArgs { set, units, lenient, .. } = args;
     bytes.extend(format!("{set:?} {units:?} {lenient}").into_bytes());
     Ok(bytes)
 }
@@ -114,13 +114,13 @@ fn rate(solved: u64, elapsed: Duration) -> String {
 }
 
 /// A line on a terminal with the rate and the time left.
-struct Line {
+pub(crate) struct Line {
     is_terminal: bool,
     shown: Instant,
 }
 
 impl Line {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { is_terminal: std::io::stderr().is_terminal(), shown: Instant::now() }
     }
 
@@ -130,7 +130,7 @@ impl Line {
         clippy::cast_sign_loss,
         reason = "a bar of few characters"
     )]
-    fn show(&mut self, now: &Progress) {
+    pub(crate) fn show(&mut self, now: &Progress) {
         /// Characters of the bar.
         const WIDTH: usize = 24;
         if !self.is_terminal || self.shown.elapsed() < PAUSE {

@@ -1,15 +1,21 @@
 //! A definition as a space of designs: solved at many points, into a table that can be gone on with.
 //!
 //! A [`Prepared`] definition has its [`Variable`]s and [`Output`]s found, and what does not hang on them is solved. Each worker
-//! solves points on a clone of it, on one thread, so that points are what is done side by side. On this stands [`sweep()`].
+//! solves points on a clone of it, on one thread, so that points are what is done side by side. On this stand [`sweep()`],
+//! [`effects_here`] and [`effects_over_range`], [`optimise()`] and [`solve_for()`].
 
 mod cell;
+mod effects;
 mod error;
+mod optimise;
 mod output;
 mod plan;
 mod pool;
 mod prepared;
+mod probe;
 mod random;
+mod reach;
+mod solve_for;
 mod store;
 mod sweep;
 mod table;
@@ -18,10 +24,18 @@ pub mod thresholds;
 mod variable;
 
 pub use cell::Cell;
+pub use effects::{
+    Derivative, End, Here, RangeSettings, Ranged, Screening, Share, Slope, effects_here, effects_over_range,
+};
 pub use error::StudyError;
+pub use optimise::{
+    Best, Bound, Constraint, Goal, Method, Objective, OptimiseSettings, Optimum, galapagos, optimise,
+};
 pub use output::{Output, marked};
 pub use plan::{Plan, PlanFile, PlanPoints};
 pub use prepared::{Outcome, Prepared, Status, Worker};
+pub use reach::inputs_of;
+pub use solve_for::{Solution, solve_for};
 pub use sweep::{Progress, Settings, Summary, sweep};
 pub use things::Things;
 pub use variable::Variable;

@@ -48,6 +48,21 @@ impl Output {
         Ok(Self { name: name.to_owned(), source })
     }
 
+    /// The output of an object or port with that id.
+    pub(crate) fn of_id(document: &Document, id: Uuid) -> Option<Self> {
+        let lookup = document.lookup();
+        let (object, source) = match lookup.object(id) {
+            Some(object) => (object, behind(document, &lookup, object)),
+            None => {
+                let from = lookup.output(id)?;
+                (from.object, Source::Given { object: from.object, output: from.port })
+            }
+        };
+        let title = document.objects.get(object)?.title();
+        let name = if title.is_empty() { "fitness" } else { title };
+        Some(Self { name: name.to_owned(), source })
+    }
+
     /// The object that gives it.
     pub(crate) fn object(&self) -> usize {
         match self.source {

@@ -69,14 +69,8 @@ pub fn sweep(
     mut tell: impl FnMut(&Progress),
 ) -> Result<Summary, StudyError> {
     let start = Instant::now();
-    fs::create_dir_all(folder).map_err(|error| StudyError::file(folder, error))?;
+    let store = open_store(plan, folder, settings)?;
     let things = Things::new(folder, plan.pictures, plan.geometry.as_deref())?;
-    let study = study_name(plan, settings);
-    let cache = folder.join("cache");
-    fs::create_dir_all(&cache).map_err(|error| StudyError::file(&cache, error))?;
-    let hex: String = study.iter().map(|byte| format!("{byte:02x}")).collect();
-    let forget = |status: Status| settings.retry && !status.is_good();
-    let store = Store::open(&cache.join(format!("{hex}.kdstudy")), &study, forget)?;
     let options = Options {
         cancel: settings.cancel.clone(),
         skip_unread: !plan.pictures && plan.geometry.is_none(),
@@ -143,11 +137,24 @@ pub fn sweep(
     Ok(Summary { progress, failed_rows, files })
 }
 
+/// The store of a plan's study in a folder; both are made where they are not there.
+///
+/// # Errors
+/// A file cannot be read or written.
+pub(crate) fn open_store(plan: &Plan, folder: &Path, settings: &Settings) -> Result<Store, StudyError> {
+    let study = study_name(plan, settings);
+    let cache = folder.join("cache");
+    fs::create_dir_all(&cache).map_err(|error| StudyError::file(&cache, error))?;
+    let hex: String = study.iter().map(|byte| format!("{byte:02x}")).collect();
+    let forget = |status: Status| settings.retry && !status.is_good();
+    Store::open(&cache.join(format!("{hex}.kdstudy")), &study, forget)
+}
+
 /// What names points: their values behind the names of the inputs.
-struct Names(blake3::Hasher);
+pub(crate) struct Names(blake3::Hasher);
 
 impl Names {
-    fn of(plan: &Plan) -> Self {
+    pub(crate) fn of(plan: &Plan) -> Self {
         let mut hasher = blake3::Hasher::new();
         for variable in plan.variables() {
             named(&mut hasher, variable.name.as_bytes());
@@ -155,7 +162,7 @@ impl Names {
         Self(hasher)
     }
 
-    fn name(&self, point: &[Cell]) -> Name {
+    pub(crate) fn name(&self, point: &[Cell]) -> Name {
         let mut bytes = Vec::with_capacity(16 * point.len());
         point.iter().for_each(|cell| cell.encode(&mut bytes));
         let mut hasher = self.0.clone();

@@ -1,8 +1,10 @@
 //! The inputs that a study sets.
 
+use katydid_data::{Tree, Value};
 use katydid_definition::document::special::{GenePool, Rounding, Slider};
 use katydid_definition::document::{Document, Object, Special};
 use katydid_session::{InputError, assign_input, find_input};
+use katydid_solver::Engine;
 
 use crate::{Cell, StudyError};
 
@@ -43,7 +45,16 @@ impl Variable {
         Self::of(document, object, gene, name.to_owned())
     }
 
-    fn of(document: &Document, object: usize, gene: Option<usize>, name: String) -> Result<Self, StudyError> {
+    /// The input that an object is, or a number of it.
+    ///
+    /// # Errors
+    /// The object is none, or a gene pool without the place of a number.
+    pub(crate) fn of(
+        document: &Document,
+        object: usize,
+        gene: Option<usize>,
+        name: String,
+    ) -> Result<Self, StudyError> {
         let unfit = |why: &str| StudyError::Unfit(format!("'{name}' {why}"));
         let at = document.objects.get(object).ok_or_else(|| unfit("is not there"))?;
         let kind = match (at.special(), gene) {
@@ -104,6 +115,69 @@ impl Variable {
             (Kind::Slider(slider), Cell::Number(x)) if self.takes(x) => Cell::Number(slider.fit(x)),
             (Kind::Gene { pool, .. }, Cell::Number(x)) if self.takes(x) => Cell::Number(rounded(x, pool)),
             (_, cell) => cell,
+        }
+    }
+
+    /// Sets it in a document: what a study found, say.
+    ///
+    /// # Errors
+    /// It does not take the value.
+    pub fn write(&self, document: &mut Document, cell: &Cell) -> Result<(), StudyError> {
+        let gone = || StudyError::Unfit(format!("'{}' is not there", self.name));
+        let object = document.objects.get_mut(self.object).ok_or_else(gone)?;
+        Ok(self.set(object, cell)?)
+    }
+
+    /// The number that the definition has it at; `None` for what is no slider and no gene.
+    pub(crate) fn stands_at(&self) -> Option<f64> {
+        match &self.kind {
+            Kind::Slider(slider) => Some(slider.fit(slider.value)),
+            Kind::Gene { index, pool } => pool.values.get(*index).map(|x| rounded(*x, pool)),
+            _ => None,
+        }
+    }
+
+    /// The place of a number in its gene pool.
+    pub(crate) fn gene(&self) -> Option<usize> {
+        match &self.kind {
+            Kind::Gene { index, .. } => Some(*index),
+            _ => None,
+        }
+    }
+
+    /// Makes a slider whose number goes through an expression take numbers to 12 digits: what is given to it from outside would
+    /// go past the expression.
+    pub(crate) fn refine(&self, engine: &mut Engine) {
+        if let Kind::Slider(Slider { expression: Some(_), rounding: Rounding::Real, .. }) = &self.kind {
+            engine.edit(self.object, |object| {
+                if let Some(chunk) = object.container_mut().child_mut("Slider") {
+                    chunk.set("Digits", 12_i32);
+                }
+            });
+        }
+    }
+
+    /// Puts it at a number to all its digits, without a change of the document where that can be. `genes` are the numbers of
+    /// its pool that are not as in the document.
+    pub(crate) fn place(&self, engine: &mut Engine, x: f64, genes: &[(usize, f64)]) {
+        match &self.kind {
+            Kind::Slider(Slider { expression: Some(_), .. }) => {
+                engine.edit(self.object, |object| {
+                    // A number outside the limits is refused where it comes from.
+                    let _ = object.set_slider(x);
+                });
+            }
+            Kind::Slider(_) => engine.give(self.object, 0, Some(Tree::item(Value::Number(x)))),
+            Kind::Gene { pool, .. } => {
+                let mut values: Vec<f64> = pool.values.iter().map(|x| rounded(*x, pool)).collect();
+                for (index, x) in genes {
+                    if let Some(value) = values.get_mut(*index) {
+                        *value = *x;
+                    }
+                }
+                engine.give(self.object, 0, Some(Tree::list(values)));
+            }
+            _ => {}
         }
     }
 

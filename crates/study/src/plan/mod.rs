@@ -2,7 +2,7 @@
 
 mod file;
 mod rows;
-mod sampling;
+pub(crate) mod sampling;
 pub(crate) mod sobol;
 
 use std::path::PathBuf;
@@ -11,6 +11,7 @@ use katydid_definition::document::Document;
 
 pub use file::PlanFile;
 use file::{InputPlan, Sample};
+pub(crate) use sampling::placed;
 
 use crate::thresholds::{MOST_POINTS, MOST_VALUES};
 use crate::{Cell, Output, StudyError, Variable, marked};
@@ -46,6 +47,7 @@ enum Points {
     LatinHypercube { axes: Vec<Axis>, seed: u64 },
     Sobol { axes: Vec<Axis>, seed: u64 },
     Rows { path: PathBuf, columns: Vec<usize> },
+    Listed(Vec<Vec<Cell>>),
 }
 
 /// The points of a plan one by one: a cell for each input, or why a row of a file is none.
@@ -88,6 +90,12 @@ impl Plan {
             pictures: file.pictures,
             geometry: file.geometry.clone(),
         })
+    }
+
+    /// The plan of points that are known, with values as the inputs round them.
+    pub(crate) fn listed(variables: Vec<Variable>, outputs: Vec<Output>, points: Vec<Vec<Cell>>) -> Self {
+        let count = points.len() as u64;
+        Self { variables, outputs, points: Points::Listed(points), count, pictures: false, geometry: None }
     }
 
     fn rows(file: &PlanFile, document: &Document) -> Result<(Vec<Variable>, Points, u64), StudyError> {
@@ -171,6 +179,7 @@ impl Plan {
                 let points = sobol::Sobol::new(axes.len(), *seed);
                 Box::new((0..self.count).map(move |k| Ok(fitted(sampling::placed(axes, &points.point(k))))))
             }
+            Points::Listed(points) => Box::new(points.iter().cloned().map(Ok)),
             Points::Rows { path, columns } => {
                 let rows = rows::read(path, columns.clone())?;
                 Box::new(rows.map(move |row| row.map(&fitted)))
@@ -244,6 +253,14 @@ fn axis(variable: &Variable, spec: &InputPlan, grid: bool) -> Result<Axis, Study
         None if grid => Err(wrong("a grid needs 'steps', or a list of values".to_owned())),
         None => Ok(Axis::Range([from, to])),
     }
+}
+
+/// The whole range of an input.
+///
+/// # Errors
+/// It has none.
+pub(crate) fn whole_range(variable: &Variable) -> Result<Axis, StudyError> {
+    axis(variable, &InputPlan::Range { from: None, to: None, steps: None }, false)
 }
 
 #[cfg(test)]

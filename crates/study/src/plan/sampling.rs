@@ -23,7 +23,7 @@ pub(super) fn grid(lists: &[Vec<Cell>], mut k: u64) -> Vec<Cell> {
     clippy::cast_sign_loss,
     reason = "small whole numbers"
 )]
-pub(super) fn placed(axes: &[Axis], unit: &[f64]) -> Vec<Cell> {
+pub(crate) fn placed(axes: &[Axis], unit: &[f64]) -> Vec<Cell> {
     let place = |(axis, u): (&Axis, &f64)| match axis {
         Axis::Values(values) => {
             let at = (u * values.len() as f64) as usize;

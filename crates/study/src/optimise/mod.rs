@@ -1,0 +1,13 @@
+//! The best of a definition: inputs by which outputs are small or large, found by a method that asks for points in batches.
+
+mod cma;
+mod eigen;
+mod galapagos;
+mod goals;
+mod nsga2;
+mod run;
+mod search;
+
+pub use galapagos::galapagos;
+pub use goals::{Bound, Constraint, Goal, Objective};
+pub use run::{Best, Method, OptimiseSettings, Optimum, optimise};
