@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::mcp::McpArgs;
 use crate::scripts::{ScriptArgs, StudioScriptArgs};
 use crate::serve_args::ServeArgs;
 use crate::sweep::SweepArgs;
@@ -27,7 +28,8 @@ Examples:
   katydid view facade.gh -o facade.png          a picture of what it makes
   katydid sweep facade.gh --plan plan.json -o study   a table of variants
   katydid studio facade.gh                      edit it in the browser
-  katydid serve                                 answer the clients of Rhino.Compute and Hops")]
+  katydid serve                                 answer the clients of Rhino.Compute and Hops
+  katydid mcp --folder projects                 tools for an assistant, which starts this by itself")]
 pub(crate) struct Katydid {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -59,6 +61,8 @@ pub(crate) enum Command {
     Studio(StudioArgs),
     /// Answer the clients of Rhino.Compute and Hops: definitions solved over HTTP
     Serve(ServeArgs),
+    /// Serve an assistant over the Model Context Protocol: definitions as tools, on standard input and output
+    Mcp(McpArgs),
     /// Let the scripts of files run from now on, each as long as it does not change
     Trust(TrustArgs),
     /// The packages that the Python scripts of definitions use

@@ -12,6 +12,7 @@ mod diff;
 mod explain;
 mod fmt;
 mod info;
+mod mcp;
 mod members;
 mod model_file;
 mod open;
@@ -65,6 +66,7 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::Sweep(args) => sweep::sweep(args),
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args, program),
+        Command::Mcp(args) => mcp::mcp(args),
         Command::Trust(args) => scripts::trust(args),
         Command::Python(args) => python::python(args),
         Command::Members(args) => members::members(args),
