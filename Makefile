@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
+.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -41,7 +41,7 @@ wheel: $(VENV)/installed third-party
 # Scripts of real definitions are run where the shared data is there.
 test-python: $(VENV)/installed module
 	KATYDID_TEST_DEFINITIONS=$(wildcard $(abspath ../shared/data/gh)) KATYDID_REQUIRE_MODULE=1 KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
-		--ignore=python-tests/step --ignore=python-tests/compute python-tests --ignore=python/tests/ladybug python/tests \
+		--ignore=python-tests/step --ignore=python-tests/compute --ignore=python-tests/assistant python-tests --ignore=python/tests/ladybug python/tests \
 		$(addprefix crates/rhino3dm/tests/,rhino3dm_peer.py tables_peer.py solids_peer.py)
 
 # What Open CASCADE makes of the STEP files that Katydid writes. Not part of `make test`: it is more than a gigabyte.
@@ -77,6 +77,17 @@ $(VENV)-compute/installed: python-tests/compute/requirements.txt
 # Effects on the volume and area of solids: half a minute, so no part of `make test`; run it after a change of effects.
 test-effects:
 	cargo test -p katydid-study --test effects -- --ignored
+
+# What the Model Context Protocol's client from PyPI makes of `katydid mcp`. Not part of `make test`: it fetches it.
+test-assistant: $(VENV)-assistant/installed
+	cargo build --release -p katydid
+	KATYDID=$(RELEASED)/katydid KATYDID_TEST_DEFINITIONS=$(wildcard $(abspath ../shared/data/gh)) \
+		$(VENV)-assistant/bin/python -m pytest -q python-tests/assistant
+
+$(VENV)-assistant/installed: python-tests/assistant/requirements.txt
+	$(PYTHON) -m venv $(VENV)-assistant
+	$(VENV)-assistant/bin/pip install -q -r python-tests/assistant/requirements.txt
+	touch $@
 
 # Ladybug's packages from PyPI in a script component. Not part of `make test`: it fetches them.
 test-ladybug: $(VENV)-ladybug/installed

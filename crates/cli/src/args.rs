@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::effects::EffectsArgs;
+use crate::mcp::McpArgs;
 use crate::optimise::OptimiseArgs;
 use crate::scripts::{ScriptArgs, StudioScriptArgs};
 use crate::serve_args::ServeArgs;
@@ -33,7 +34,8 @@ Examples:
   katydid optimise facade.gh --minimise Area -o best   inputs that make a number small or large
   katydid solve-for facade.gh --want Area=120   where the sliders must stand for a wanted number
   katydid studio facade.gh                      edit it in the browser
-  katydid serve                                 answer the clients of Rhino.Compute and Hops")]
+  katydid serve                                 answer the clients of Rhino.Compute and Hops
+  katydid mcp --folder projects                 tools for an assistant, which starts this by itself")]
 pub(crate) struct Katydid {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -71,6 +73,8 @@ pub(crate) enum Command {
     Studio(StudioArgs),
     /// Answer the clients of Rhino.Compute and Hops: definitions solved over HTTP
     Serve(ServeArgs),
+    /// Serve an assistant over the Model Context Protocol: definitions as tools, on standard input and output
+    Mcp(McpArgs),
     /// Let the scripts of files run from now on, each as long as it does not change
     Trust(TrustArgs),
     /// The packages that the Python scripts of definitions use

@@ -13,6 +13,7 @@ mod effects;
 mod explain;
 mod fmt;
 mod info;
+mod mcp;
 mod members;
 mod model_file;
 mod open;
@@ -71,6 +72,7 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::SolveFor(args) => solve_for::solve_for(args),
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args, program),
+        Command::Mcp(args) => mcp::mcp(args),
         Command::Trust(args) => scripts::trust(args),
         Command::Python(args) => python::python(args),
         Command::Members(args) => members::members(args),

@@ -13,7 +13,7 @@ use crate::output::say;
 use crate::source;
 
 /// Whether a definition's scripts run, and with what.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct ScriptArgs {
     /// Run the definition's Python scripts: they are programs, and not ours; `katydid trust FILE` allows those of one file
     #[arg(long)]
@@ -96,6 +96,12 @@ impl ScriptArgs {
             )
             .make(),
         }
+    }
+
+    /// What runs the scripts of a definition that is in no file.
+    pub(crate) fn of_no_file(&self) -> Arc<dyn Scripts> {
+        let python = self.allow_scripts.then(|| Arc::new(self.python(None)) as _);
+        csharp_and(python, "Katydid was started without --allow-scripts").make()
     }
 
     /// What runs the scripts of a server's definitions.

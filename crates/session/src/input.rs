@@ -145,7 +145,8 @@ pub fn assign(object: &mut Object, value: &str) -> Result<(), InputError> {
         Some(Special::Slider(slider)) => {
             let x = cast::parse_number(value).ok_or_else(|| refuse("it is not a number".to_owned()))?;
             let (min, max) = (slider.min.min(slider.max), slider.min.max(slider.max));
-            if x < min || x > max {
+            // No range holds what is no number.
+            if !(min..=max).contains(&x) {
                 return Err(refuse(format!("the slider goes from {min} to {max}")));
             }
             object.set_slider(x).map(drop).map_err(plain)

@@ -107,6 +107,13 @@ pub fn format(text: &str) -> Result<String, Problems> {
     Ok(layout::tidy(text))
 }
 
+/// The name that each object of a document goes by in its text, in the order of the document: its nickname, and of several
+/// with the same one a number behind all but the first (`Pt`, `Pt'2`). Without the backquotes that some need in a text.
+pub fn labels(document: &Document) -> Vec<String> {
+    let objects = &document.objects;
+    labels::assign(objects, &statement::order(objects)).iter().map(labels::Label::key).collect()
+}
+
 /// Whether there are comments in a text; documents do not keep them.
 pub fn has_comments(text: &str) -> bool {
     lexer::lex(text).0.iter().any(|token| token.kind == lexer::Kind::Comment)

@@ -175,6 +175,12 @@ impl Editor {
         Ok(self.commit(name, gesture, after, made))
     }
 
+    /// Puts another state of the whole document in its place, as a step that is called `name`, or as part of a gesture:
+    /// what was made outside, as the document's text that was changed.
+    pub fn put_document(&mut self, after: Document, name: String, gesture: Option<u64>) -> Change {
+        self.commit(name, gesture, after, Vec::new())
+    }
+
     /// Puts another state of one object in its place, as a step of its own.
     pub(crate) fn replace(&mut self, at: usize, object: Object, name: String) -> Change {
         let mut after = Document::clone(&self.document);
