@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use katydid_component::{Access, Component, Port, registry};
+use katydid_elementary::Elementary;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -54,13 +55,7 @@ fn find(_: &Store, given: Find) -> Result<Reply, Fault> {
     if words.is_empty() {
         return Err(Fault::new("nothing was looked for", "words", "there are no words in it"));
     }
-    let mut found: Vec<(u32, &Component)> = registry::all()
-        .into_iter()
-        .filter(|component| !component.old)
-        .filter_map(|component| Some((score(component, &lower, &words)?, component)))
-        .collect();
-    // Those of equal worth stay in the order of the tabs.
-    found.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
+    let found = ranked(&lower, &words);
     let part = Part::new(given.from, Some(given.limit.unwrap_or(15)));
     let mut told = part.of("components", &found, |(_, component)| short(component));
     let missing: Vec<Value> = registry::all_unsupported()
@@ -76,40 +71,68 @@ fn find(_: &Store, given: Find) -> Result<Reply, Fault> {
     Ok(told.into())
 }
 
-/// How well a component fits words; none where it does not at all. A word in the name counts more than one in the help, and
-/// all words together more than some.
-fn score(component: &Component, whole: &str, words: &[&str]) -> Option<u32> {
+/// The components in which one of the words is, the best first; those of equal worth in the order of the tabs.
+///
+/// Each word counts by where it stands, times the logarithm of how seldom it is among all components (inverse document
+/// frequency, K. Spärck Jones 1972): `of` says little, `revolution` much.
+fn ranked(whole: &str, words: &[&str]) -> Vec<(f64, &'static Component)> {
+    let all: Vec<&Component> = registry::all().into_iter().filter(|component| !component.old).collect();
+    let worths: Vec<Vec<f64>> = all.iter().map(|component| worths(component, words)).collect();
+    #[allow(clippy::cast_precision_loss, reason = "numbers of components")]
+    let weights: Vec<f64> = (0..words.len())
+        .map(|k| {
+            let having = worths.iter().filter(|of| of[k] > 0.0).count();
+            (1.0 + all.len() as f64 / having.max(1) as f64).logarithm()
+        })
+        .collect();
+    let mut found: Vec<(f64, &Component)> = all
+        .into_iter()
+        .zip(&worths)
+        .filter(|(_, worths)| worths.iter().any(|worth| *worth > 0.0))
+        .map(|(component, worths)| {
+            let sum: f64 = worths.iter().zip(&weights).map(|(worth, weight)| worth * weight).sum();
+            let named = if component.name.to_lowercase() == whole { WHOLE_NAME } else { 0.0 };
+            let floating = if component.floating { FLOATING } else { 0.0 };
+            (sum + named - floating, component)
+        })
+        .collect();
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    found
+}
+
+/// What is before all others: the name as it was asked for.
+const WHOLE_NAME: f64 = 1000.0;
+/// A parameter comes after a component that is worth as much.
+const FLOATING: f64 = 2.0;
+
+/// What each of the words is worth for a component: most in its name, least among its ports.
+fn worths(component: &Component, words: &[&str]) -> Vec<f64> {
     let name = component.name.to_lowercase();
     let nick = component.nick.to_lowercase();
     let place = format!("{} {}", component.tab, component.panel).to_lowercase();
     let help = component.help.to_lowercase();
-    let ports = || component.inputs.iter().chain(component.outputs);
-    let mut sum = if name == whole { 200 } else { 0 };
-    let mut fitting = 0;
-    for word in words {
+    let ports: Vec<String> =
+        component.inputs.iter().chain(component.outputs).map(|port| port.name.to_lowercase()).collect();
+    let worth = |word: &&str| {
         // Words of many: `curves` means what `curve` does.
         let stem = word.strip_suffix('s').filter(|stem| stem.len() > 3).unwrap_or(word);
-        let worth = if name.split_whitespace().any(|own| own == *word || own == stem) {
-            40
+        if name.split_whitespace().any(|own| own == *word || own == stem) {
+            40.0
         } else if name.contains(stem) {
-            25
+            25.0
         } else if nick == *word {
-            20
+            20.0
         } else if place.contains(stem) {
-            10
+            10.0
         } else if help.split(|c: char| !c.is_alphanumeric()).any(|own| own.starts_with(stem)) {
-            8
-        } else if ports().any(|port| port.name.to_lowercase().contains(stem)) {
-            5
+            8.0
+        } else if ports.iter().any(|port| port.contains(stem)) {
+            5.0
         } else {
-            0
-        };
-        fitting += u32::from(worth > 0);
-        sum += worth;
-    }
-    let all = u32::try_from(words.len()).unwrap_or(u32::MAX);
-    (fitting > 0)
-        .then(|| sum + if fitting == all { 60 } else { 0 } - u32::from(component.floating && sum > 0) * 2)
+            0.0
+        }
+    };
+    words.iter().map(worth).collect()
 }
 
 fn short(component: &Component) -> Value {
@@ -239,5 +262,26 @@ mod tests {
         ] {
             assert!(first(words).iter().any(|name| name == wanted), "{words}: {:?}", first(words));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ranked;
+
+    fn first(words: &str) -> &'static str {
+        katydid_components::link();
+        let list: Vec<&str> = words.split(' ').collect();
+        ranked(words, &list).first().map_or("", |(_, component)| component.name)
+    }
+
+    #[test]
+    fn rare_words_count_more_than_common_ones() {
+        assert_eq!(first("divide curve"), "Divide Curve");
+        assert_eq!(first("revolution surface of a profile curve"), "Revolution");
+        assert_eq!(first("the closest point on a mesh"), "Mesh Closest Point");
+        assert_eq!(first("make a loft through curves"), "Loft");
+        assert_eq!(first("voronoi cells of points in the plane"), "Voronoi");
+        assert_eq!(first("qqqq"), "");
     }
 }
