@@ -259,29 +259,13 @@ mod tests {
             ("loft", "Loft"),
             ("number slider", "Number Slider"),
             ("closest point on a curve", "Curve Closest Point"),
+            // Words that are in nearly all components do not hide the one that counts.
+            ("revolution surface of a profile curve", "Revolution"),
+            ("the closest point on a mesh", "Mesh Closest Point"),
+            ("make a loft through curves", "Loft"),
+            ("voronoi cells of points in the plane", "Voronoi"),
         ] {
             assert!(first(words).iter().any(|name| name == wanted), "{words}: {:?}", first(words));
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::ranked;
-
-    fn first(words: &str) -> &'static str {
-        katydid_components::link();
-        let list: Vec<&str> = words.split(' ').collect();
-        ranked(words, &list).first().map_or("", |(_, component)| component.name)
-    }
-
-    #[test]
-    fn rare_words_count_more_than_common_ones() {
-        assert_eq!(first("divide curve"), "Divide Curve");
-        assert_eq!(first("revolution surface of a profile curve"), "Revolution");
-        assert_eq!(first("the closest point on a mesh"), "Mesh Closest Point");
-        assert_eq!(first("make a loft through curves"), "Loft");
-        assert_eq!(first("voronoi cells of points in the plane"), "Voronoi");
-        assert_eq!(first("qqqq"), "");
     }
 }
