@@ -1,6 +1,6 @@
 //! Effects against derivatives known by hand, jumps that were made on purpose, and variances in closed form.
 
-#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+#![allow(clippy::panic, clippy::unwrap_used, reason = "a test may fail loudly")]
 
 use std::f64::consts::PI;
 
