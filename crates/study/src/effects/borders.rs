@@ -163,7 +163,7 @@ mod tests {
         near(found(f64::floor, 0.3, 10.0), 1.0);
         near(found(f64::floor, 3.3, 0.0), 3.0);
         near(found(|x| (100.0 * x).floor(), 0.5051, 1.0), 0.51);
-        near(found(|x| x + 1e-4 * (x > 0.7).then_some(1.0).unwrap_or(0.0), 0.0, 1.0), 0.7);
+        near(found(|x| x + 1e-4 * if x > 0.7 { 1.0 } else { 0.0 }, 0.0, 1.0), 0.7);
         near(found(|x| x.sine() * if x > 2.0 { 1.2 } else { 1.0 }, 0.1, 9.0), 2.0);
     }
 
