@@ -28,7 +28,7 @@ pub(crate) fn of(object: &Object) -> Option<Draw> {
 mod tests {
     use super::*;
 
-    const ELSEWHERE: [&str; 10] = [
+    const ELSEWHERE: [&str; 11] = [
         "Context Bake",
         "Context Print",
         "Data Output",
@@ -37,6 +37,7 @@ mod tests {
         "Test Crash",
         // Seen on the canvas; and what would write files, and says that definitions write none.
         "Prev Image",
+        "Preview Colors",
         "Export ASC",
         "Export DF",
         "Export XYZ",
