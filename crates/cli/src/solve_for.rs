@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use katydid_component::Cancel;
 use katydid_study::thresholds::POINT_TIME;
-use katydid_study::{Cell, Output, Prepared, Variable, inputs_of, solve_for as find};
+use katydid_study::{Cell, Effort, Output, Prepared, Variable, inputs_of, solve_for as find};
 
 use crate::args::DefinitionArgs;
 use crate::effects::{chosen, table};
@@ -70,7 +70,7 @@ pub(crate) fn solve_for(args: &SolveForArgs) -> Result<u8, String> {
     let variables = chosen(&args.with, all, |name| Variable::find(&document, name))?;
     let wanted: Vec<f64> = args.want.iter().flat_map(|(_, numbers)| numbers.iter().copied()).collect();
     let prepared = Prepared::new(document.clone(), options, variables.clone(), outputs);
-    let solution = find(&prepared, &wanted, &cancel).map_err(|error| error.to_string())?;
+    let solution = find(&prepared, &wanted, Effort::default(), &cancel).map_err(|error| error.to_string())?;
     let rows = variables.iter().zip(&solution.inputs);
     table(&["input", "value"], rows.map(|(v, x)| vec![v.name.clone(), x.to_string()]).collect());
     print("\n");

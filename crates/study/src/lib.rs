@@ -7,6 +7,7 @@
 mod cell;
 mod effects;
 mod error;
+mod motion;
 mod optimise;
 mod output;
 mod plan;
@@ -28,6 +29,7 @@ pub use effects::{
     Derivative, End, Here, RangeSettings, Ranged, Screening, Share, Slope, effects_here, effects_over_range,
 };
 pub use error::StudyError;
+pub use motion::{Arrow, Motion, motion, shown_objects};
 pub use optimise::{
     Best, Bound, Constraint, Goal, Method, Objective, OptimiseSettings, Optimum, galapagos, optimise,
 };
@@ -35,7 +37,7 @@ pub use output::{Output, marked};
 pub use plan::{Plan, PlanFile, PlanPoints};
 pub use prepared::{Outcome, Prepared, Status, Worker};
 pub use reach::inputs_of;
-pub use solve_for::{Solution, solve_for};
+pub use solve_for::{Effort, Solution, solve_for};
 pub use sweep::{Progress, Settings, Summary, sweep};
 pub use things::Things;
 pub use variable::Variable;

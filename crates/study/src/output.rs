@@ -1,7 +1,7 @@
 //! The results that a study keeps of each point.
 
 use katydid_component::Message;
-use katydid_data::Tree;
+use katydid_data::{Path, Tree};
 use katydid_definition::document::{Document, Lookup, Object, Special, ids};
 use katydid_solver::{Engine, Inputs};
 use uuid::Uuid;
@@ -14,6 +14,8 @@ pub struct Output {
     /// What it is called in the plan and in tables.
     pub name: String,
     source: Source,
+    /// The branch and the place of the only item that is looked at; all where none is named.
+    item: Option<(Path, usize)>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,11 +47,12 @@ impl Output {
                 source(document, &lookup, object, Some(port), name)?
             }
         };
-        Ok(Self { name: name.to_owned(), source })
+        Ok(Self { name: name.to_owned(), source, item: None })
     }
 
-    /// The output of an object or port with that id.
-    pub(crate) fn of_id(document: &Document, id: Uuid) -> Option<Self> {
+    /// The output of an object or port with that id; `None` where nothing has it. A panel, or an object without outputs, gives
+    /// what comes over its wire.
+    pub fn of_id(document: &Document, id: Uuid) -> Option<Self> {
         let lookup = document.lookup();
         let (object, source) = match lookup.object(id) {
             Some(object) => (object, behind(document, &lookup, object)),
@@ -60,7 +63,13 @@ impl Output {
         };
         let title = document.objects.get(object)?.title();
         let name = if title.is_empty() { "fitness" } else { title };
-        Some(Self { name: name.to_owned(), source })
+        Some(Self { name: name.to_owned(), source, item: None })
+    }
+
+    /// Only one item of it: by its branch and its place there, from 0. It gives nothing where there is none.
+    #[must_use]
+    pub fn only(self, branch: Path, place: usize) -> Self {
+        Self { item: Some((branch, place)), ..self }
     }
 
     /// The object that gives it.
@@ -72,6 +81,13 @@ impl Output {
 
     /// Its data in a solved engine.
     pub fn tree(&self, engine: &Engine) -> Tree {
+        let tree = self.whole(engine);
+        let Some((path, place)) = &self.item else { return tree };
+        let branch = tree.paths().iter().position(|other| other == path).and_then(|b| tree.branch(b));
+        branch.and_then(|branch| branch.get(*place)).map(Tree::item).unwrap_or_default()
+    }
+
+    fn whole(&self, engine: &Engine) -> Tree {
         match self.source {
             Source::Given { object, output } => engine
                 .report(object)
@@ -85,11 +101,11 @@ impl Output {
     /// The same as a cell of a table.
     pub fn cell(&self, engine: &Engine) -> Cell {
         match self.source {
-            Source::Given { object, output } => {
+            Source::Given { object, output } if self.item.is_none() => {
                 let tree = engine.report(object).and_then(|report| report.outputs.get(output));
                 tree.map_or(Cell::Null, Cell::of_tree)
             }
-            Source::Taken { .. } => Cell::of_tree(&self.tree(engine)),
+            _ => Cell::of_tree(&self.tree(engine)),
         }
     }
 
@@ -112,6 +128,7 @@ pub fn marked(document: &Document) -> Vec<Output> {
             .map(|(object, panel)| Output {
                 name: panel.title().to_owned(),
                 source: behind(document, &lookup, object),
+                item: None,
             })
             .collect();
     }
@@ -127,11 +144,12 @@ fn marked_in(document: &Document, lookup: &Lookup) -> Vec<Output> {
                 found.extend(first.map(|member| Output {
                     name: group.marked_name().to_owned(),
                     source: behind(document, lookup, member),
+                    item: None,
                 }));
             }
             _ if object.component == ids::CONTEXT_PRINT => {
                 let name = object.inputs.first().map_or("", |port| &port.nickname).to_owned();
-                found.push(Output { name, source: behind(document, lookup, index) });
+                found.push(Output { name, source: behind(document, lookup, index), item: None });
             }
             _ => {}
         }

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use katydid_component::Level;
+use katydid_component::{Cancel, Level};
 use katydid_definition::document::Document;
 use katydid_solver::{self as solver, Engine, Options};
 
@@ -95,6 +95,20 @@ impl Prepared {
     /// Prepares a definition. The time and memory of the options are those of each point.
     pub fn new(document: Document, options: Options, variables: Vec<Variable>, outputs: Vec<Output>) -> Self {
         let mut engine = Engine::new(document, Options { progress: None, finished: None, ..options });
+        engine.solve();
+        Self { engine, variables, outputs }
+    }
+
+    /// Prepares a definition that an engine has solved already, so that nothing is solved twice. The time and memory of the
+    /// engine's options are those of each point, and `cancel` stops them.
+    pub fn of_engine(
+        mut engine: Engine,
+        cancel: Cancel,
+        variables: Vec<Variable>,
+        outputs: Vec<Output>,
+    ) -> Self {
+        let options = engine.options_mut();
+        (options.progress, options.finished, options.cancel) = (None, None, cancel);
         engine.solve();
         Self { engine, variables, outputs }
     }

@@ -63,6 +63,11 @@ impl Probe {
         &self.at
     }
 
+    /// The engine as the last solve left it.
+    pub(crate) fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
     /// Solves with one variable at another number, which it keeps.
     pub(crate) fn read(&mut self, variable: usize, x: f64) -> Reading {
         self.set(variable, x);

@@ -1,5 +1,7 @@
 //! Inputs for a wanted result: sliders move within their ranges until outputs are where they are wanted.
 
+use std::time::{Duration, Instant};
+
 use katydid_component::Cancel;
 
 use crate::probe::Probe;
@@ -19,6 +21,33 @@ pub struct Solution {
     pub solves: u64,
 }
 
+/// How long is searched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Effort {
+    /// Rounds, each of which solves the definition once or a few times for each variable.
+    pub rounds: usize,
+    /// How long at most; what is best by then is the answer. A solve that has begun is not cut short.
+    pub time: Option<Duration>,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        Self { rounds: MOST_ROUNDS, time: None }
+    }
+}
+
+/// When a search that has begun is to end.
+struct Clock {
+    began: Instant,
+    time: Option<Duration>,
+}
+
+impl Clock {
+    fn is_over(&self) -> bool {
+        self.time.is_some_and(|time| self.began.elapsed() >= time)
+    }
+}
+
 /// Finds where the variables of a prepared definition must stand so that its outputs give the wanted numbers, as nearly as their
 /// ranges let them: least squares by Levenberg's and Marquardt's method, with moves cut off at the ends of the ranges, and inputs
 /// left out that press against one (Kanzow, Yamashita, Fukushima 2004). It begins where the definition stands, and finds what is
@@ -27,7 +56,13 @@ pub struct Solution {
 /// # Errors
 /// A variable has no range or takes whole numbers only, an output gives no numbers as the definition stands or another count of them
 /// than is wanted, or somebody asked to stop.
-pub fn solve_for(prepared: &Prepared, wanted: &[f64], cancel: &Cancel) -> Result<Solution, StudyError> {
+pub fn solve_for(
+    prepared: &Prepared,
+    wanted: &[f64],
+    effort: Effort,
+    cancel: &Cancel,
+) -> Result<Solution, StudyError> {
+    let clock = Clock { began: Instant::now(), time: effort.time };
     let unfit = |why: String| StudyError::Unfit(why);
     let mut ranges = Vec::new();
     for variable in prepared.variables() {
@@ -51,13 +86,13 @@ pub fn solve_for(prepared: &Prepared, wanted: &[f64], cancel: &Cancel) -> Result
     }
     let mut errors: Vec<f64> = numbers.iter().zip(wanted).map(|(y, w)| y - w).collect();
     let mut damping = 1e-3;
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..effort.rounds {
         if cancel.is_cancelled() {
             return Err(StudyError::Stopped);
         }
-        let Some(slopes) = slopes(&mut probe, &x, &ranges, wanted, &errors) else { break };
+        let Some(slopes) = slopes(&mut probe, &x, &ranges, wanted, &errors, &clock) else { break };
         let mut is_better = false;
-        while damping < 1e12 {
+        while damping < 1e12 && !clock.is_over() {
             let Some(to) = step(&x, &ranges, &slopes, &errors, damping) else { break };
             let moved = to.iter().zip(&x).zip(&ranges).map(|((a, b), r)| ((a - b) / (r[1] - r[0])).abs());
             if moved.fold(0.0, f64::max) < LEAST_MOVE {
@@ -72,7 +107,7 @@ pub fn solve_for(prepared: &Prepared, wanted: &[f64], cancel: &Cancel) -> Result
                 _ => damping *= 11.0,
             }
         }
-        if !is_better || size(&errors) == 0.0 {
+        if !is_better || size(&errors) == 0.0 || clock.is_over() {
             break;
         }
     }
@@ -98,20 +133,22 @@ fn errors_at(probe: &mut Probe, x: &[f64], wanted: &[f64]) -> Option<Vec<f64>> {
     Some(numbers.iter().zip(wanted).map(|(y, w)| y - w).collect())
 }
 
-/// The change of each error for each variable, of a range of 1; a row a variable. `None` where all differences fail.
+/// The change of each error for each variable, of a range of 1; a row a variable, of zeros once the time is over. `None` where all
+/// differences fail.
 fn slopes(
     probe: &mut Probe,
     x: &[f64],
     ranges: &[[f64; 2]],
     wanted: &[f64],
     errors: &[f64],
+    clock: &Clock,
 ) -> Option<Vec<Vec<f64>>> {
     let mut rows = Vec::new();
     for (at, [min, max]) in ranges.iter().enumerate() {
         let range = max - min;
         let mut row = None;
         // The other side is asked where one has no numbers, or no room.
-        for nudge in [NUDGE, -NUDGE] {
+        for nudge in [NUDGE, -NUDGE].into_iter().take_while(|_| !clock.is_over()) {
             let mut beside = x.to_vec();
             let Some(moved) = beside.get_mut(at) else { continue };
             *moved += nudge * range;

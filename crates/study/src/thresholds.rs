@@ -59,3 +59,7 @@ pub const MOST_ROUNDS: usize = 100;
 pub const LEAST_MOVE: f64 = 1e-13;
 /// The part of its range by which an input is moved to see what follows: the root of a unit of rounding, some times over.
 pub const NUDGE: f64 = 1e-7;
+/// The most places whose motion is told: more hide the model.
+pub const MOST_ARROWS: usize = 2_000;
+/// In how many parts a curve and each direction of a surface are divided for the places whose motion is told.
+pub const MOTION_PARTS: u32 = 4;

@@ -49,7 +49,7 @@ impl Variable {
     ///
     /// # Errors
     /// The object is none, or a gene pool without the place of a number.
-    pub(crate) fn of(
+    pub fn of(
         document: &Document,
         object: usize,
         gene: Option<usize>,
@@ -138,7 +138,7 @@ impl Variable {
     }
 
     /// The place of a number in its gene pool.
-    pub(crate) fn gene(&self) -> Option<usize> {
+    pub fn gene(&self) -> Option<usize> {
         match &self.kind {
             Kind::Gene { index, .. } => Some(*index),
             _ => None,

@@ -9,7 +9,7 @@ use katydid_component::Cancel;
 use katydid_definition::kd;
 use katydid_session::Registry;
 use katydid_solver::Options;
-use katydid_study::{Output, Prepared, Solution, StudyError, Variable, inputs_of, solve_for};
+use katydid_study::{Effort, Output, Prepared, Solution, StudyError, Variable, inputs_of, solve_for};
 
 fn prepared(text: &str, outputs: &[&str]) -> Prepared {
     katydid_components::link();
@@ -27,7 +27,7 @@ fn prepared(text: &str, outputs: &[&str]) -> Prepared {
 }
 
 fn solved(text: &str, outputs: &[&str], wanted: &[f64]) -> Result<Solution, StudyError> {
-    solve_for(&prepared(text, outputs), wanted, &Cancel::default())
+    solve_for(&prepared(text, outputs), wanted, Effort::default(), &Cancel::default())
 }
 
 fn near(found: &Solution, inputs: &[f64], within: f64) {
@@ -85,7 +85,7 @@ fn an_answer_for_three_hundred_objects_comes_while_one_drags() {
     }
     let prepared = prepared(&text, &["m297"]);
     let start = Instant::now();
-    let found = solve_for(&prepared, &[2.0], &Cancel::default()).unwrap();
+    let found = solve_for(&prepared, &[2.0], Effort::default(), &Cancel::default()).unwrap();
     assert!(found.off < 1e-5, "{found:?}");
     // A tenth of a second is wanted of the released program on a quiet machine; the tests run on busy ones.
     assert!(start.elapsed() < Duration::from_secs(2), "{:?} for {} solves", start.elapsed(), found.solves);

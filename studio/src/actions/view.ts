@@ -33,6 +33,7 @@ register(
   side("outline", ["Mod+Shift+O"]),
   side("problems", ["Mod+Shift+M"]),
   side("data", ["Mod+Shift+D"]),
+  side("effects", ["Mod+Shift+Y"]),
   panes("both"),
   panes("canvas"),
   panes("viewport"),

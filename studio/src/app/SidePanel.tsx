@@ -1,10 +1,11 @@
 import { t } from "../i18n";
 import { Data } from "../panels/Data";
+import { Effects } from "../panels/Effects";
 import { Outline } from "../panels/Outline";
 import { Problems } from "../panels/Problems";
 import { settingsStore, type SidePanel as Name } from "./settings";
 
-const PANELS = { outline: Outline, problems: Problems, data: Data };
+const PANELS = { outline: Outline, problems: Problems, data: Data, effects: Effects };
 
 /** The panel beside the two great panes. */
 export function SidePanel({ name }: { name: Name }) {

@@ -3,7 +3,7 @@
 import { createStore } from "zustand/vanilla";
 
 export type Theme = "system" | "light" | "dark";
-export type SidePanel = "outline" | "problems" | "data";
+export type SidePanel = "outline" | "problems" | "data" | "effects";
 
 export interface Settings {
   theme: Theme;
@@ -31,7 +31,7 @@ export function readSettings(text: string | null): Settings {
     theme: one(found?.theme, ["system", "light", "dark"] as const, USUAL.theme),
     split: Math.min(0.85, Math.max(0.15, split)),
     panes: one(found?.panes, ["both", "canvas", "viewport"] as const, USUAL.panes),
-    side: one<SidePanel | undefined>(found?.side, ["outline", "problems", "data"], undefined),
+    side: one<SidePanel | undefined>(found?.side, ["outline", "problems", "data", "effects"], undefined),
   };
 }
 

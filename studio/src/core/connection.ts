@@ -7,7 +7,7 @@ import type { Request } from "./protocol/Request";
 export type ConnectionState = "joining" | "open" | "lost" | "closed";
 
 /** What a request came to. */
-export type Answer = Extract<Event, { event: "done" | "rows" | "pictures" | "copied" | "scripts" | "explained" | "nurbs" }>;
+export type Answer = Extract<Event, { event: "done" | "rows" | "pictures" | "copied" | "scripts" | "explained" | "nurbs" | "effects" | "solved" | "motion" }>;
 
 /** A request that the session refused, with its reason. */
 export class Refusal extends Error {}

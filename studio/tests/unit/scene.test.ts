@@ -15,7 +15,7 @@ import { Model } from "../../src/viewport/scene/model";
 import { readSettings } from "../../src/viewport/settings";
 import { parseColour } from "../../src/viewport/theme";
 import { pieceAt } from "../../src/viewport/tools/picking";
-import { keepsPoints, pointsOf } from "../../src/viewport/tools/pointHandles";
+import { keepsPoints, pointsOf } from "../../src/viewport/tools/heldPoints";
 import { dragged, draggedAlong } from "../../src/viewport/tools/rays";
 import { poseOf, type ViewName } from "../../src/viewport/views";
 

@@ -21,6 +21,7 @@ use super::model::Beside;
 use super::outbox::End;
 use super::scripts::Scripting;
 use super::solving::{Solving, Work};
+use super::studies::Studies;
 use super::worker::{Ended, Job, News, Worker};
 use super::{About, ClientId, Command, Inquiry, Shared, Source};
 use crate::geometry::Geometry;
@@ -66,6 +67,8 @@ pub(super) struct Actor {
     inquiries: Vec<Inquiry>,
     /// Whether scripts run.
     pub(super) scripting: Scripting,
+    /// What clients wait for.
+    pub(super) studies: Studies,
 }
 
 /// How far the solve that is running has come.
@@ -98,6 +101,7 @@ impl Actor {
         let model = beside.model().map(Arc::clone);
         let options = Options { rules: editor.rules(), files, model, scripts, ..Options::default() };
         let (jobs, inbox) = channel();
+        let back = own.clone();
         let worker = Worker::new(editor.document().as_ref().clone(), options, own);
         // Without a thread to solve on, the document can be edited and saved all the same.
         let _ = std::thread::Builder::new().name("solver".to_owned()).spawn(move || worker.run(&inbox));
@@ -123,6 +127,7 @@ impl Actor {
             is_drawn: false,
             inquiries: Vec::new(),
             scripting,
+            studies: Studies::new(back),
         };
         actor.want(Work::Solve);
         actor
@@ -170,6 +175,7 @@ impl Actor {
 
     fn close(&mut self) {
         self.solving.cancel();
+        self.studies.end_all();
         self.editor.flush();
         self.clients.iter().for_each(|client| client.outbox.close());
         for (_, geometry) in self.shown.drain() {
@@ -187,6 +193,7 @@ impl Actor {
             Command::Leave(id) => {
                 self.clients.leave(id);
                 let _ = self.jobs.send(Job::Leave(id));
+                self.studies.end(id);
                 let seen = self.analysed.remove(&id).unwrap_or_default();
                 seen.objects.into_values().for_each(|geometry| self.shared.geometries.release(geometry));
                 self.set_draft();
@@ -212,6 +219,7 @@ impl Actor {
                 let _ = answer.send(self.about());
             }
             Command::Work(news) => self.heard(news),
+            Command::Found(found) => self.found(found),
             Command::Close(_) => {}
         }
     }

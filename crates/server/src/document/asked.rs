@@ -12,6 +12,7 @@ use uuid::Uuid;
 
 use super::actor::Actor;
 use super::solving::Work;
+use super::studies::Question;
 use super::worker::Job;
 use super::{ClientId, Download};
 use crate::files::{self, Form};
@@ -106,6 +107,19 @@ impl Actor {
                 return self.rows(id, seq, wanted, &within);
             }
             Ask::Explain { object, algorithm } => return self.explain(id, seq, object, algorithm.as_deref()),
+            Ask::Effects { target, with, ranges } => {
+                self.study(id, seq, Question::Effects { target, with, ranges });
+                return Ok(Answer::Later);
+            }
+            Ask::SolveFor { wants, with, quick, gesture } => {
+                self.study(id, seq, Question::SolveFor { wants, with, quick, gesture });
+                return Ok(Answer::Later);
+            }
+            Ask::Motion { input } => {
+                self.study(id, seq, Question::Motion { input });
+                return Ok(Answer::Later);
+            }
+            Ask::EndStudy => self.studies.end(id),
             Ask::Nurbs { port } => return Ok(self.nurbs(id, seq, port)),
             Ask::Pictures { port, within } => return Ok(self.pictures(id, seq, port, within)),
             Ask::Copy { objects, within } => {

@@ -14,6 +14,7 @@ mod outbox;
 mod scripts;
 mod solving;
 mod source;
+mod studies;
 mod worker;
 
 use std::sync::Arc;
@@ -56,6 +57,8 @@ pub(crate) enum Command {
     About(oneshot::Sender<About>),
     /// What the worker tells.
     Work(worker::News),
+    /// Inputs that were found for a wanted result.
+    Found(studies::Found),
     /// The end.
     Close(oneshot::Sender<()>),
 }

@@ -115,6 +115,9 @@ fn is_answer(event: &Event) -> bool {
             | Event::Copied { .. }
             | Event::Explained { .. }
             | Event::Nurbs { .. }
+            | Event::Effects { .. }
+            | Event::Solved { .. }
+            | Event::Motion { .. }
     )
 }
 

@@ -251,6 +251,9 @@ impl Client {
                 Some(
                     event @ (Event::Done { seq, .. }
                     | Event::Refused { seq, .. }
+                    | Event::Effects { seq, .. }
+                    | Event::Solved { seq, .. }
+                    | Event::Motion { seq, .. }
                     | Event::Rows { seq, .. }
                     | Event::Pictures { seq, .. }
                     | Event::Scripts { seq, .. }

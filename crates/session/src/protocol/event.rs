@@ -1,7 +1,10 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::{Colour, CombMeasure, DocumentView, ExplanationView, ModelView, NurbsView, ObjectView, Probed};
+use super::{
+    Colour, CombMeasure, DocumentView, EffectsView, ExplanationView, ModelView, MotionView, NurbsView,
+    ObjectView, Probed, Solved,
+};
 
 /// What the session tells a client.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,6 +39,12 @@ pub enum Event {
     Rows { seq: u64, page: Page },
     /// The steps of a result, in answer to `Explain`.
     Explained { seq: u64, explanation: ExplanationView },
+    /// What moves a number, in answer to `Effects`.
+    Effects { seq: u64, effects: EffectsView },
+    /// What inputs were set to, in answer to `SolveFor`.
+    Solved { seq: u64, solved: Solved },
+    /// How places move, in answer to `Motion`.
+    Motion { seq: u64, motion: MotionView },
     /// A curve, in answer to `Nurbs`.
     Nurbs { seq: u64, curve: NurbsView },
     /// Small pictures, in answer to `Pictures`.

@@ -19,6 +19,7 @@ mod geometry;
 mod model;
 mod preview;
 mod request;
+mod study;
 mod view;
 
 pub use analysis::{
@@ -37,6 +38,10 @@ pub use geometry::{Drawing, GeometrySource, PlaneView};
 pub use model::{ModelLayerView, ModelObjectView, ModelView};
 pub use preview::{PREVIEW_MAGIC, PREVIEW_VERSION, Part, PartKind, Piece, PreviewHeader, Slice, SliceType};
 pub use request::{Ask, Request, SaveFormat};
+pub use study::{
+    ArrowView, DerivativeView, EffectsView, EndView, HereView, InputPlace, ItemPlace, MotionView, RangedView,
+    ShareView, SlopeView, Solved, SolvedInput, Target, Want,
+};
 pub use view::{
     BorderView, Colour, DocumentView, MappingView, ObjectKindView, ObjectView, PlayerInput, PortView,
     ScriptPermission, ScriptsView, Support, WireView,

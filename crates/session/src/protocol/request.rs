@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-use super::{AnalysisView, Edit, Probe};
+use super::{AnalysisView, Edit, InputPlace, Probe, Target, Want};
 
 /// What a client asks of the session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -55,6 +55,18 @@ pub enum Ask {
     },
     /// The steps by which the result of an object comes about: by the algorithm of that name, or its first.
     Explain { object: Uuid, algorithm: Option<String> },
+    /// What moves a number: each slider and number of a gene pool that it hangs on, or those named. With `ranges` also what they
+    /// do over their whole ranges, which takes thousands of solves. It ends what the same client asked of this kind, of
+    /// `SolveFor` and of `Motion` before.
+    Effects { target: Target, with: Option<Vec<InputPlace>>, ranges: bool },
+    /// Moves sliders and numbers of gene pools, those named or all that the results hang on, within their ranges until results are as
+    /// near as can be to what is wanted. `quick` takes what is best after a tenth of a second: for a drag, whose steps have
+    /// one `gesture`.
+    SolveFor { wants: Vec<Want>, with: Option<Vec<InputPlace>>, quick: bool, gesture: u64 },
+    /// How places of the shown geometry move with an input.
+    Motion { input: InputPlace },
+    /// Ends what this client asked of effects and wanted results.
+    EndStudy,
     /// The control points and knots of the first curve that an output gives.
     Nurbs { port: Uuid },
     /// What an Image Gallery shows of the data of a port.

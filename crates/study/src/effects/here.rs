@@ -21,6 +21,8 @@ pub struct End {
 /// What an output does when an input moves from where it stands.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Here {
+    /// The input's place among the variables.
+    pub variable: usize,
     /// The input.
     pub name: String,
     /// The number it stands at.
@@ -62,7 +64,13 @@ pub(super) fn look(probe: &mut Probe, index: usize) -> Option<Here> {
                 inside.then(|| value(probe, index, x)).flatten().map(|y| y - here)
             };
             let change = [change(at - step), change(at + step)];
-            Here { name: variable.name.clone(), at, slope: Slope::Steps { step, change }, holds: None }
+            Here {
+                variable: index,
+                name: variable.name.clone(),
+                at,
+                slope: Slope::Steps { step, change },
+                holds: None,
+            }
         }
         None => even(probe, index, &variable.name, at, [min, max]),
     };
@@ -90,7 +98,7 @@ fn even(probe: &mut Probe, index: usize, name: &str, at: f64, limits: [f64; 2]) 
         None => End { at: limits[side], why: "the input ends".to_owned(), is_limit: true },
         Some(border) => End { at: border.far, why: why(probe, index, border, &known), is_limit: false },
     });
-    Here { name: name.to_owned(), at, slope, holds: Some(holds) }
+    Here { variable: index, name: name.to_owned(), at, slope, holds: Some(holds) }
 }
 
 fn why(probe: &mut Probe, index: usize, border: Border, known: &HashMap<u64, Sample>) -> String {

@@ -132,6 +132,13 @@ impl Document {
                 let told = katydid_session::explain(&self.engine, place, algorithm)?;
                 return Ok(Answer::Event(Box::new(Event::Explained { seq, explanation: (&told).into() })));
             }
+            Ask::Effects { .. } | Ask::SolveFor { .. } | Ask::Motion { .. } => {
+                return Err(
+                    "what moves a result, and inputs for a wanted one, are not supported in a page; `katydid studio` finds them"
+                        .to_owned(),
+                );
+            }
+            Ask::EndStudy => {}
             Ask::Nurbs { port } => {
                 let at = self.engine.document().lookup().output(port).ok_or("there is no such output")?;
                 let curve = katydid_session::nurbs_of(&self.engine, at.object, at.port)?;

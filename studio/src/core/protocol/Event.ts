@@ -2,8 +2,10 @@
 import type { CombMeasure } from "./CombMeasure";
 import type { DocumentState } from "./DocumentState";
 import type { DocumentView } from "./DocumentView";
+import type { EffectsView } from "./EffectsView";
 import type { ExplanationView } from "./ExplanationView";
 import type { ModelView } from "./ModelView";
+import type { MotionView } from "./MotionView";
 import type { Notice } from "./Notice";
 import type { NurbsView } from "./NurbsView";
 import type { ObjectView } from "./ObjectView";
@@ -12,6 +14,7 @@ import type { PictureView } from "./PictureView";
 import type { Probed } from "./Probed";
 import type { ResultView } from "./ResultView";
 import type { ScriptView } from "./ScriptView";
+import type { Solved } from "./Solved";
 
 /**
  * What the session tells a client.
@@ -36,7 +39,7 @@ document: DocumentView | null, } | { "event": "done", seq: number, revision: num
 /**
  * The ids of objects that a paste or copy made.
  */
-made: Array<string>, } | { "event": "refused", seq: number, reason: string, } | { "event": "rows", seq: number, page: Page, } | { "event": "explained", seq: number, explanation: ExplanationView, } | { "event": "nurbs", seq: number, curve: NurbsView, } | { "event": "pictures", seq: number, pictures: Array<PictureView>, } | { "event": "scripts", seq: number, scripts: Array<ScriptView>, } | { "event": "copied", seq: number, text: string, } | { "event": "solving", solution: number, done: number, total: number, 
+made: Array<string>, } | { "event": "refused", seq: number, reason: string, } | { "event": "rows", seq: number, page: Page, } | { "event": "explained", seq: number, explanation: ExplanationView, } | { "event": "effects", seq: number, effects: EffectsView, } | { "event": "solved", seq: number, solved: Solved, } | { "event": "motion", seq: number, motion: MotionView, } | { "event": "nurbs", seq: number, curve: NurbsView, } | { "event": "pictures", seq: number, pictures: Array<PictureView>, } | { "event": "scripts", seq: number, scripts: Array<ScriptView>, } | { "event": "copied", seq: number, text: string, } | { "event": "solving", solution: number, done: number, total: number, 
 /**
  * The object that was done last.
  */

@@ -1,7 +1,7 @@
 /** A viewport on the page, joined to what the stores know and to the hands on it. */
 
 import { radius } from "../../core/bounds";
-import type { Rgba } from "../../core/preview";
+import type { Preview, Rgba } from "../../core/preview";
 import type { DocumentView } from "../../core/protocol/DocumentView";
 import { t } from "../../i18n";
 import { documentStore } from "../../state/document";
@@ -19,6 +19,7 @@ import { PointHandles } from "../tools/pointHandles";
 import { PointerControls } from "../tools/pointer";
 import { besides, layers } from "../tools/beside";
 import { Looker } from "../tools/looker";
+import { MotionArrows } from "../tools/motionArrows";
 import { Probes } from "../tools/probes";
 import type { Pick } from "../tools/picking";
 import { SectionHandle } from "../tools/sectionHandle";
@@ -34,6 +35,8 @@ const SELECTED: Rgba = [0, 150, 0, 100];
 
 /** What is drawn of the places that are looked at. */
 const PLACES = "tool:places";
+/** And of how places move. */
+const MOTION = "tool:motion";
 
 export function isStill(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -79,10 +82,10 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
   const handles = new PointHandles(host, viewport);
   const section = new SectionHandle(host, viewport);
   const looker = new Looker();
-  const probes = new Probes({
-    show: (preview) => (preview ? viewport.put(PLACES, preview) : viewport.drop(PLACES)),
-    size: () => radius(viewport.documentBounds() ?? [[0, 0, 0], [1, 1, 1]]),
-  });
+  const size = () => radius(viewport.documentBounds() ?? [[0, 0, 0], [1, 1, 1]]);
+  const shown = (name: string) => (preview: Preview | undefined) => (preview ? viewport.put(name, preview) : viewport.drop(name));
+  const probes = new Probes({ show: shown(PLACES), size });
+  const arrows = new MotionArrows({ show: shown(MOTION), size });
   viewport.afterDraw = (placed) => {
     frames.place(placed, viewport.panes.active);
     gumball.place(placed);
@@ -97,6 +100,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     controls.dispose();
     looker.dispose();
     probes.dispose();
+    arrows.dispose();
     gumball.dispose();
     handles.dispose();
     section.dispose();

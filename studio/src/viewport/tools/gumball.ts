@@ -20,7 +20,7 @@ import { AmountField } from "./gumballAmount";
 import { GumballPicture } from "./gumballPicture";
 import { amountOf, COARSE, reached, said, stepOf } from "./gumballReach";
 import { movablePorts } from "./movable";
-import { keepsPoints } from "./pointHandles";
+import { keepsPoints } from "./heldPoints";
 
 /** A press that goes less far than this is a click. */
 const CLICK = 4;

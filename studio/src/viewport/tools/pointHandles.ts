@@ -1,34 +1,22 @@
 /**
- * Handles for points that are kept in a Point parameter: they can be dragged in the view, or moved with the keyboard.
- * What the document keeps changes as they go; one drag is one step for Undo.
+ * Handles for points of the selected object: they can be dragged in the view, or moved with the keyboard. Points that are kept
+ * go along; for those that are computed sliders are found (`heldPoints.ts`). One drag is one step for Undo.
  */
 
 import { gridSteps, snap } from "../../core/gridSteps";
-import { parsePoint, rowsText, withPoint } from "../../core/pointText";
 import type { Point3 } from "../../core/preview";
-import type { ObjectView } from "../../core/protocol/ObjectView";
-import type { Row } from "../../core/protocol/Row";
 import { t } from "../../i18n";
 import { documentStore } from "../../state/document";
 import { runStore } from "../../state/run";
-import { ask, edit, newGesture } from "../../state/session";
+import { ask, newGesture } from "../../state/session";
+import { studyStore } from "../../state/study";
 import { uiStore } from "../../state/ui";
 import type { PlacedPane } from "../panes";
 import { settingsStore } from "../settings";
 import type { Viewport } from "../Viewport";
 import { gridPlane } from "../views";
+import { heldPoints, type HeldPoints } from "./heldPoints";
 import { dragged, draggedAlong } from "./rays";
-
-/** More handles than this hide the model. */
-const MOST = 200;
-/** Grasshopper's Point parameter. */
-const POINT_PARAMETER = "fbac3e32-f100-4292-8692-77240a42fd1a";
-
-interface Held {
-  object: ObjectView;
-  rows: readonly Row[];
-  points: { row: number; point: Point3 }[];
-}
 
 type Axis = 0 | 1 | 2;
 const AXES = ["x", "y", "z"] as const;
@@ -50,20 +38,14 @@ function planar({ pane }: PlacedPane, upright: boolean): readonly Axis[] {
   return ([0, 1, 2] as const).filter((axis) => (axis === across) === upright);
 }
 
-/** Whether an object is a Point parameter that keeps its points itself. */
-export function keepsPoints({ component, kind, inputs }: ObjectView): boolean {
-  const port = inputs[0];
-  return kind === "parameter" && component.toLowerCase() === POINT_PARAMETER && port !== undefined
-    && port.sources.length === 0 && port.kept > 0;
-}
-
 export class PointHandles {
   #layer: HTMLElement;
   #viewport: Viewport;
-  #held: Held | undefined;
+  #held: HeldPoints | undefined;
   #buttons: HTMLButtonElement[] = [];
   #drag: { at: number; gesture: number; pane: PlacedPane; before: Point3; lock: Axis | undefined } | undefined;
   #readout: HTMLElement;
+  #place = "";
   #isSending = false;
   #next: (() => void) | undefined;
   #asked = 0;
@@ -82,8 +64,9 @@ export class PointHandles {
     this.#stops = [
       uiStore.subscribe((now, before) => now.selection !== before.selection && look()),
       documentStore.subscribe((now, before) => now.objects !== before.objects && look()),
+      studyStore.subscribe((now, before) => (now.drags !== before.drags || now.target !== before.target) && look()),
       runStore.subscribe((now, before) => {
-        const id = this.#held?.object.id;
+        const [id] = uiStore.getState().selection;
         if (id && now.results.get(id) !== before.results.get(id)) look();
       }),
     ];
@@ -108,27 +91,23 @@ export class PointHandles {
     this.#readout.remove();
   }
 
-  /** Finds the selected parameter and what it keeps. */
+  /** Finds the selected object and its points. */
   async #look(): Promise<void> {
     if (this.#drag) return;
     const [id, ...others] = uiStore.getState().selection;
     const object = id && others.length === 0 ? documentStore.getState().objects.get(id) : undefined;
-    if (!object || !keepsPoints(object)) return this.#hold(undefined);
     const asked = ++this.#asked;
+    if (!object) return this.#hold(undefined);
     try {
-      const port = object.inputs[0]?.id ?? object.id;
-      const { within } = documentStore.getState();
-      const answer = await ask({ ask: "rows", port, from: 0, count: MOST * 2, exact: true, within });
-      if (asked !== this.#asked || this.#drag) return;
-      const isAll = answer.event === "rows" && answer.page.rows.length === answer.page.total;
-      this.#hold(isAll ? { object, rows: answer.page.rows, points: pointsOf(answer.page.rows) } : undefined);
+      const held = await heldPoints(object);
+      if (asked === this.#asked && !this.#drag) this.#hold(held);
     } catch {
       // The refusal is on the line at the bottom already.
       this.#hold(undefined);
     }
   }
 
-  #hold(held: Held | undefined): void {
+  #hold(held: HeldPoints | undefined): void {
     if (!held && !this.#held) return;
     this.#held = held;
     const count = held?.points.length ?? 0;
@@ -184,7 +163,8 @@ export class PointHandles {
     this.#readout.hidden = false;
     this.#readout.style.transform = `translate(${x + 16}px, ${y + 18}px)`;
     const place = point.map((value) => Number(value.toPrecision(7))).join(", ");
-    this.#readout.textContent = axis === undefined ? place : `${AXES[axis]} · ${place}`;
+    this.#place = axis === undefined ? place : `${AXES[axis]} · ${place}`;
+    this.#readout.textContent = this.#place;
   }
 
   #end(keep: boolean): void {
@@ -194,7 +174,7 @@ export class PointHandles {
     this.#next = undefined;
     this.#readout.hidden = true;
     const done = keep ? Promise.resolve() : ask({ ask: "abandon", gesture: drag.gesture }).then(() => {});
-    if (keep) this.#send(drag.at, drag.gesture);
+    if (keep) this.#send(drag.at, drag.gesture, true);
     done.catch(() => {}).finally(() => void ask({ ask: "draft", on: false }).catch(() => {}));
     if (!keep) void this.#look();
   }
@@ -245,34 +225,28 @@ export class PointHandles {
     held.points[at] = { ...entry, point };
     this.#name();
     this.#viewport.invalidate();
-    this.#send(at, gesture);
+    // A key is a whole move of its own.
+    this.#send(at, gesture, !this.#drag);
   }
 
-  #send(at: number, gesture: number): void {
+  #send(at: number, gesture: number, done = false): void {
     const held = this.#held;
     const entry = held?.points[at];
     if (!held || !entry) return;
     if (this.#isSending) {
-      this.#next = () => this.#send(at, gesture);
+      this.#next = () => this.#send(at, gesture, done);
       return;
     }
     this.#isSending = true;
-    const port = held.object.inputs[0]?.id ?? held.object.id;
-    held.rows = withPoint(held.rows, entry.row, entry.point);
-    const values = rowsText(held.rows);
-    void edit({ do: "keep", port, values }, gesture).finally(() => {
+    void held.move(at, entry.point, gesture, done).then((told) => {
+      if (told && this.#drag) this.#readout.textContent = `${this.#place} · ${told}`;
+    }, () => {}).finally(() => {
       this.#isSending = false;
       const next = this.#next;
       this.#next = undefined;
       next?.();
+      // A computed point may have come less far than it was dragged.
+      if (done && !next) void this.#look();
     });
   }
-}
-
-/** The points among rows, with the number of their row. Exported for tests. */
-export function pointsOf(rows: readonly Row[]): { row: number; point: Point3 }[] {
-  return rows.flatMap((row, index) => {
-    const point = row.is === "item" ? parsePoint(row.text) : undefined;
-    return point ? [{ row: index, point }] : [];
-  });
 }
