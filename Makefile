@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
+.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute soak bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -104,6 +104,14 @@ bench-compute:
 	cargo build --release -p katydid
 	cargo build --release -p katydid-server --example compute_load
 	$(PYTHON) benches/compute_load.py target/release/katydid target/release/examples/compute_load
+
+# The same for half an hour among clients that leave, cancel, and send nonsense, too much or too slowly: no answer may be
+# wrong, and neither memory nor file descriptors be lost. Not part of `make test`. `make soak SOAK_SECONDS=600` for less.
+SOAK_SECONDS ?= 1800
+soak:
+	cargo build --release -p katydid
+	cargo build --release -p katydid-server --example compute_load
+	$(PYTHON) benches/compute_soak.py $(RELEASED)/katydid $(RELEASED)/examples/compute_load --seconds $(SOAK_SECONDS)
 
 # The page's own parts, without a browser; then the page, which the binary takes in.
 test-studio: studio/node_modules/installed
@@ -258,7 +266,7 @@ test-branches:
 
 # Ten minutes for each reader: `cargo install cargo-fuzz` first.
 fuzz:
-	cd fuzz && for t in csharp_parse csharp_run vb_run gh_binary gh_xml document rhino3dm step obj stl ply gltf shp pdb expression geometry kd request preview; do \
+	cd fuzz && for t in csharp_parse csharp_run vb_run gh_binary gh_xml document rhino3dm step obj stl ply gltf shp pdb expression geometry kd request compute_request preview; do \
 		RUSTC_BOOTSTRAP=1 cargo fuzz run $$t -- -max_total_time=600 -rss_limit_mb=2048 -timeout=20 || exit 1; done
 
 clean:

@@ -1,6 +1,7 @@
 //! The words of `katydid serve`.
 
 use std::net::IpAddr;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -41,6 +42,10 @@ pub(crate) struct ServeArgs {
 
     #[command(flatten)]
     scripts: ScriptArgs,
+
+    /// A folder whose definitions, and those in the folders inside it, a request may name by their paths
+    #[arg(long, value_name = "FOLDER")]
+    definitions: Vec<PathBuf>,
 
     /// The most seconds a request may take, waiting included
     #[arg(long, value_name = "SECONDS", default_value_t = 100.0, value_parser = seconds)]
@@ -126,6 +131,7 @@ impl ServeArgs {
             key: self.key.clone().or(variable),
             origins: self.allow_origin.clone(),
             hosts: self.web.hosts(),
+            definitions: self.folders()?,
             authorities: self.web.certificates()?,
             hops_server: self.web.hops_server.clone(),
             hops_keys: self.web.keys()?,
@@ -142,6 +148,14 @@ impl ServeArgs {
             scripts: Some(Arc::new(self.scripts.of_server())),
             grace: time(self.grace),
         })
+    }
+
+    /// The folders of definitions.
+    fn folders(&self) -> Result<Vec<PathBuf>, String> {
+        match self.definitions.iter().find(|folder| !folder.is_dir()) {
+            Some(folder) => Err(format!("--definitions {}: there is no such folder", folder.display())),
+            None => Ok(self.definitions.clone()),
+        }
     }
 
     pub(crate) fn is_local(&self) -> bool {

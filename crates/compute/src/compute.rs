@@ -1,3 +1,4 @@
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -10,7 +11,9 @@ use katydid_solver::ScriptMaker;
 use uuid::Uuid;
 
 use crate::cache::{self, Definitions, Replies};
+use crate::definition::files::DefinitionFiles;
 use crate::reply::to_json;
+use crate::request::{CacheControl, unpacked};
 use crate::web::{Asked, Web};
 use crate::{
     Answer, Bounds, Cause, Definition, Description, Fault, HopsSettings, RequestLimits, Solution,
@@ -30,6 +33,8 @@ pub struct Settings {
     pub archive: Limits,
     /// Which files definitions may read: none unless said so.
     pub files: Files,
+    /// The folders below which a pointer may name the file of a definition: none unless said so.
+    pub definitions: Vec<PathBuf>,
     /// Which other hosts may be asked, for definitions and by Hops components: none unless said so.
     pub web: WebSettings,
     /// How Hops components ask them.
@@ -49,6 +54,7 @@ impl Default for Settings {
             request: RequestLimits::default(),
             archive: Limits { max_inflated: 128 << 20, ..Limits::default() },
             files: Files::None,
+            definitions: Vec::new(),
             web: WebSettings::default(),
             hops: HopsSettings::default(),
             scripts: None,
@@ -73,6 +79,7 @@ pub struct Compute {
     settings: Settings,
     definitions: Definitions,
     replies: Replies,
+    files: DefinitionFiles,
     web: Arc<Web>,
 }
 
@@ -86,6 +93,7 @@ impl Compute {
         Self {
             definitions: Definitions::new(settings.cache_bytes),
             replies: Replies::new(settings.reply_bytes),
+            files: DefinitionFiles::below(&settings.definitions),
             web: Arc::new(Web::new(&settings.web)),
             settings,
         }
@@ -105,16 +113,19 @@ impl Compute {
     ///
     /// # Errors
     /// `BadRequest` when it names none; `NotFound` when the pointer leads nowhere and nothing is brought; `Refused`
-    /// for a path of a file; as for [`load`](Self::load).
+    /// for a path of a file that is not below the folders of the settings; as for [`load`](Self::load).
     pub fn locate(&self, request: &SolveRequest) -> Result<Located, Fault> {
         let algo = request.algo.as_deref().filter(|algo| !algo.trim().is_empty());
         let Some(pointer) = request.pointer() else {
             let algo = algo.ok_or_else(|| {
                 Fault::bad_request("Unable to load grasshopper definition: neither algo nor pointer is given")
             })?;
-            return self.load(algo).map(Located::Here);
+            return self.load_with(algo, request.cache).map(Located::Here);
         };
-        if let Some(known) = self.cached(pointer) {
+        let scheme = pointer.split_once("://").map(|(scheme, _)| scheme.to_ascii_lowercase());
+        let is_url = scheme.as_deref().is_some_and(|scheme| ["http", "https"].contains(&scheme));
+        // What lies at a URL may be another definition now; what has a key of its text is always the same.
+        if let Some(known) = self.cached(pointer).filter(|_| !is_url || request.cache.reads()) {
             return Ok(Located::Here(known));
         }
         if let Ok(component) = Uuid::parse_str(pointer) {
@@ -122,20 +133,23 @@ impl Compute {
             let make = || Definition::single(key.clone(), component);
             return self.definitions.get_or_make(&key, make).map(Located::Here);
         }
-        let scheme = pointer.split_once("://").map(|(scheme, _)| scheme.to_ascii_lowercase());
-        if scheme.as_deref().is_some_and(|scheme| ["http", "https"].contains(&scheme)) {
+        if is_url {
             return Ok(Located::Url(pointer.to_owned()));
         }
-        if let Some(algo) = algo {
-            return self.load(algo).map(Located::Here);
-        }
-        Err(if pointer.starts_with("md5_") {
-            Fault::not_found(
+        let is_key = pointer.starts_with("md5_");
+        let read = if is_key {
+            Err(Fault::not_found(
                 "Unable to load grasshopper definition: it is not kept here, send it again as algo",
-            )
+            ))
         } else {
-            Fault::refused("Unable to load grasshopper definition: paths of files are not followed")
-        })
+            self.files.read(pointer, self.settings.request.bytes)
+        };
+        match (read, algo) {
+            // The same key as for who sends the file.
+            (Ok(bytes), _) => self.load_with(&STANDARD.encode(bytes), request.cache).map(Located::Here),
+            (Err(_), Some(algo)) => self.load_with(algo, request.cache).map(Located::Here),
+            (Err(fault), None) => Err(fault),
+        }
     }
 
     /// The definition in a text: base64 of a .gh file, or of a .ghx file. It is read once for the same text, and
@@ -144,8 +158,19 @@ impl Compute {
     /// # Errors
     /// `BadRequest` when the text is no base64 of a definition.
     pub fn load(&self, algo: &str) -> Result<Arc<Definition>, Fault> {
+        self.load_with(algo, CacheControl::Allowed)
+    }
+
+    /// The same for a request that may say that it is not to be kept.
+    ///
+    /// # Errors
+    /// As for [`load`](Self::load).
+    pub fn load_with(&self, algo: &str, cache: CacheControl) -> Result<Arc<Definition>, Fault> {
         let key = cache::key(algo);
         let make = || Definition::read(key.clone(), &decoded(algo)?, &self.settings.archive);
+        if !cache.keeps() {
+            return self.cached(&key).map_or_else(|| make().map(Arc::new), Ok);
+        }
         self.definitions.get_or_make(&key, make)
     }
 
@@ -156,7 +181,8 @@ impl Compute {
 
     /// The definition of a request, when it is kept still; nothing is read or fetched.
     pub fn at_hand(&self, request: &SolveRequest) -> Option<Arc<Definition>> {
-        let by_pointer = request.pointer().and_then(|pointer| self.cached(pointer));
+        let is_key = |pointer: &&str| request.cache.reads() || pointer.starts_with("md5_");
+        let by_pointer = request.pointer().filter(is_key).and_then(|pointer| self.cached(pointer));
         by_pointer.or_else(|| self.cached(&cache::key(request.algo.as_deref()?)))
     }
 
@@ -170,7 +196,8 @@ impl Compute {
         self.definitions.get_or_make(&key, make)
     }
 
-    /// The definition at a URL, kept under it: fetched when it is not kept any more, in 20 seconds at most.
+    /// The definition at a URL, kept under it where that is allowed: fetched when it is not kept any more or must not be
+    /// taken from there, in 20 seconds at most.
     ///
     /// # Errors
     /// `Refused` when the host may not be asked or sends elsewhere, `NotFound` when it does not answer or has no such
@@ -180,8 +207,9 @@ impl Compute {
         url: &str,
         time: Option<Duration>,
         cancel: &Cancel,
+        cache: CacheControl,
     ) -> Result<Arc<Definition>, Fault> {
-        if let Some(known) = self.cached(url) {
+        if let Some(known) = self.cached(url).filter(|_| cache.reads()) {
             return Ok(known);
         }
         let time = time.map_or(FETCH, |time| time.min(FETCH));
@@ -191,7 +219,15 @@ impl Compute {
         };
         let found = self.web.ask(Asked { url, body: None, key: None, time }, go_on)?;
         match found.status {
-            200 => self.load_bytes(url.to_owned(), &found.body),
+            200 if cache.reads() => self.load_bytes(url.to_owned(), &found.body),
+            200 => {
+                let read = Definition::read(url.to_owned(), &found.body, &self.settings.archive);
+                let definition = Arc::new(read?);
+                if cache.keeps() {
+                    self.definitions.put(url, definition.clone());
+                }
+                Ok(definition)
+            }
             300..400 => Err(Fault::refused("the definition is elsewhere: redirects are not followed")),
             status => Err(Fault::not_found(format!("the host of the definition answers {status}"))),
         }
@@ -240,8 +276,9 @@ impl Compute {
             ));
         }
         let begin = Instant::now();
-        let digest = request.cache_solve.then(|| request.digest());
-        if let Some(body) = digest.and_then(|digest| self.replies.get(definition.key(), digest)) {
+        let digest = (request.cache_solve && request.cache.keeps()).then(|| request.digest());
+        let kept = digest.filter(|_| request.cache.reads());
+        if let Some(body) = kept.and_then(|digest| self.replies.get(definition.key(), digest)) {
             let timings = crate::Timings { decode: begin.elapsed(), ..Default::default() };
             return Ok(Answer { body, has_errors: false, kept: true, timings });
         }
@@ -262,16 +299,9 @@ impl Compute {
     }
 }
 
-/// The bytes in a text of base64; white space in it does not count.
+/// The bytes of a definition in a text.
 fn decoded(algo: &str) -> Result<Vec<u8>, Fault> {
-    let compact: String;
-    let text = if algo.bytes().any(|byte| byte.is_ascii_whitespace()) {
-        compact = algo.chars().filter(|c| !c.is_ascii_whitespace()).collect();
-        &compact
-    } else {
-        algo
-    };
-    STANDARD.decode(text).map_err(|error| {
+    unpacked(algo).map_err(|error| {
         Fault::bad_request(format!("Unable to load grasshopper definition: algo is no base64: {error}"))
     })
 }

@@ -29,6 +29,6 @@ pub use definition::{Definition, Description};
 pub use hops::{HopsSettings, hops};
 pub use katydid_members::{Cause, Fault, wire};
 pub use reply::{Reply, to_json};
-pub use request::{RequestLimits, SolveRequest};
+pub use request::{CacheControl, RequestLimits, SolveRequest};
 pub use solve::{Answer, Bounds, Solution, Timings};
 pub use web::{HostKey, WebSettings};

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use common::Maker;
 use katydid_component::Cancel;
-use katydid_compute::{Cause, Compute, Fault, Settings, WebSettings};
+use katydid_compute::{CacheControl, Cause, Compute, Fault, Settings, WebSettings};
 use rustls::pki_types::{PrivateKeyDer, PrivatePkcs8KeyDer};
 use rustls::{ServerConfig, ServerConnection, StreamOwned};
 
@@ -62,7 +62,9 @@ fn fetch(hosts: &[String], authorities: &str, url: &str) -> Result<usize, Fault>
     let web = WebSettings { hosts: hosts.to_vec(), authorities, bytes: 1 << 20 };
     let compute = Compute::new(Settings { web, ..Settings::default() });
     let time = Some(Duration::from_secs(10));
-    compute.fetch(url, time, &Cancel::default()).map(|definition| definition.interface().outputs.len())
+    compute
+        .fetch(url, time, &Cancel::default(), CacheControl::Allowed)
+        .map(|definition| definition.interface().outputs.len())
 }
 
 #[test]

@@ -1,9 +1,10 @@
 //! Data from outside in place of what a definition keeps, and results that do not depend on it.
 
+use katydid_component::Level;
 use katydid_data::Tree;
 use katydid_definition::document::Object;
 
-use crate::Engine;
+use crate::{Engine, ObjectReport, Status};
 
 impl Engine {
     /// Gives an input of the object at `index` its data, in place of what its wires bring and of what it keeps; `None`
@@ -24,7 +25,8 @@ impl Engine {
 
     /// Takes over the results of a clone of this that was solved, of those objects that are dirty here and do not hang
     /// on data that was given to the clone. What hangs on an object that is not `lasting`, as it asks the outside
-    /// world, is left out too. Gives the number of results taken.
+    /// world, is left out too, and so is what failed: it may have been for want of time or memory that time. Gives the
+    /// number of results taken.
     pub fn learn(&mut self, solved: &Self, lasting: impl Fn(&Object) -> bool) -> usize {
         let same = self.document.objects.len() == solved.document.objects.len()
             && self.reports.len() == solved.reports.len();
@@ -35,6 +37,9 @@ impl Engine {
         let mut stack: Vec<usize> = solved.given.keys().map(|(object, _)| *object).collect();
         let others = self.document.objects.iter().enumerate().filter(|(_, object)| !lasting(object));
         stack.extend(others.map(|(at, _)| at));
+        let failed =
+            solved.reports.iter().enumerate().filter(|(_, report)| report.as_ref().is_some_and(has_failed));
+        stack.extend(failed.map(|(at, _)| at));
         while let Some(object) = stack.pop() {
             let Some(seen) = passing.get_mut(object) else { continue };
             if !std::mem::replace(seen, true) {
@@ -63,6 +68,13 @@ impl Engine {
         let reports = self.reports.iter().flatten();
         reports.flat_map(|report| &report.outputs).map(Tree::weight).sum()
     }
+}
+
+/// Whether an object, or one of those in it, reported an error.
+fn has_failed(report: &ObjectReport) -> bool {
+    report.status == Status::Error
+        || report.messages.iter().any(|message| message.level == Level::Error)
+        || report.inside.as_deref().is_some_and(|inside| inside.iter().any(has_failed))
 }
 
 #[cfg(test)]

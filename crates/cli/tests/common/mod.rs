@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test uses a part")]
 
 pub(crate) mod pictures;
+pub(crate) mod server;
 
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};

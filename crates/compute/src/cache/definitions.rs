@@ -72,7 +72,8 @@ impl Definitions {
         made
     }
 
-    fn put(&self, key: &str, definition: Arc<Definition>) {
+    /// Keeps a definition in place of the one that was there.
+    pub(crate) fn put(&self, key: &str, definition: Arc<Definition>) {
         let kept = &mut *lock(&self.kept);
         kept.clock += 1;
         kept.entries.insert(key.to_owned(), Entry { definition, used: kept.clock });

@@ -4,7 +4,7 @@ use katydid_definition::archive::Chunk;
 use katydid_definition::document::Document;
 use serde::Serialize;
 
-use super::{Definition, Input, Output, defaults};
+use super::{Definition, Input, Output, defaults, idle_objects};
 use crate::reply::OutputTree;
 use crate::request::DATA_VERSION;
 
@@ -93,7 +93,7 @@ pub(super) fn describe(definition: &Definition) -> Description {
         .zip(defaults)
         .map(|(input, default)| {
             let name = document.objects.get(input.object).map_or("", |object| object.name.as_str());
-            let (default, _) = OutputTree::of(name, &default, 10 * DATA_VERSION);
+            let (default, _) = OutputTree::of(name, &default, 10 * DATA_VERSION, false);
             (input.height, describe_input(input, default))
         })
         .collect();
@@ -115,7 +115,7 @@ pub(super) fn describe(definition: &Definition) -> Description {
                 param_type: output.type_name,
             })
             .collect(),
-        warnings: Vec::new(),
+        warnings: idle_objects(document),
         errors: interface.problems.clone(),
     }
 }

@@ -2,6 +2,8 @@
 
 mod defaults;
 mod describe;
+pub(crate) mod files;
+mod headless;
 mod interface;
 mod single;
 
@@ -18,6 +20,7 @@ use crate::solve::States;
 
 use describe::describe;
 pub use describe::{Description, InputDescription, OutputDescription};
+pub(crate) use headless::idle_objects;
 pub use interface::{Data, Form, Input, Interface, Output};
 
 /// A definition that requests are solved on. It never changes, but for results that all requests have in common, which
@@ -94,13 +97,13 @@ impl Definition {
         (self.described.get_or_init(|| Arc::new(describe(self))).clone(), heavier)
     }
 
-    /// What runs its scripts, or refuses to.
-    pub(crate) fn scripts(&self, maker: Option<&dyn ScriptMaker>) -> Arc<dyn Scripts> {
+    /// What runs its scripts, or refuses to: the process that all requests share, or one that is for this request alone.
+    pub(crate) fn scripts(&self, maker: Option<&dyn ScriptMaker>, shared: bool) -> Arc<dyn Scripts> {
         let make = || match maker {
             Some(maker) => maker.make(),
             None => Arc::new(Refused::new("this server was started without --allow-scripts")),
         };
-        self.scripts.get_or_init(make).clone()
+        if shared { self.scripts.get_or_init(make).clone() } else { make() }
     }
 
     pub(crate) fn about(&self) -> Option<&str> {

@@ -103,7 +103,7 @@ impl Hops {
         question: &Question<'_>,
     ) -> Result<Results, Message> {
         let trees = values.filter(|(_, tree)| !tree.is_empty());
-        let trees = trees.map(|(name, tree)| OutputTree::of(name, &tree, 70).0).collect();
+        let trees = trees.map(|(name, tree)| OutputTree::of(name, &tree, 70, false).0).collect();
         let (url, pointer) = match &described.place {
             Place::Here(definition) => return self.solve_here(definition, trees, question),
             Place::There { url, pointer } => (url, pointer),

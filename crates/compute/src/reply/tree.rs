@@ -39,13 +39,13 @@ fn in_order<S: Serializer>(branches: &[(String, Vec<OutputItem>)], to: S) -> Res
 
 impl OutputTree {
     /// A tree as a reply has it, geometry for an archive of that version, and words on what it does not hold. Nulls are
-    /// skipped, and items of types that the protocol does not know are left out, as Rhino.Compute does both; the
-    /// branches stay. It is not whole when whoever waits for it gave up.
-    pub(crate) fn of(name: &str, tree: &Tree, archive: i32) -> (Self, Option<String>) {
+    /// skipped, and items of types that the protocol does not know are left out unless all types are asked for, as
+    /// Rhino.Compute does both; the branches stay. It is not whole when whoever waits for it gave up.
+    pub(crate) fn of(name: &str, tree: &Tree, archive: i32, all_types: bool) -> (Self, Option<String>) {
         let mut left_out = BTreeMap::new();
         let mut items = |value: Option<Value>| -> Option<OutputItem> {
             let value = value.filter(|_| !CancellationToken::is_over())?;
-            let encoded = is_known(value.kind()).then(|| encode(&value, archive)).flatten();
+            let encoded = (all_types || is_known(value.kind())).then(|| encode(&value, archive)).flatten();
             if encoded.is_none() {
                 *left_out.entry(value.kind().name()).or_insert(0_usize) += 1;
             }
@@ -88,8 +88,12 @@ mod tests {
     use super::*;
 
     fn text(values: Vec<Option<Value>>) -> (String, Option<String>) {
+        told(values, false)
+    }
+
+    fn told(values: Vec<Option<Value>>, all_types: bool) -> (String, Option<String>) {
         let tree = Tree::branch_at(Path::from([0, 1]), Column::of_options(values));
-        let (tree, left_out) = OutputTree::of("RH_OUT:x", &tree, 70);
+        let (tree, left_out) = OutputTree::of("RH_OUT:x", &tree, 70, all_types);
         (serde_json::to_string(&tree).unwrap(), left_out)
     }
 
@@ -123,5 +127,8 @@ mod tests {
             r#"{"ParamName":"RH_OUT:x","InnerTree":{"{0;1}":[{"type":"System.Int32","data":"1"}]}}"#
         );
         assert_eq!(left_out.as_deref(), Some("RH_OUT:x: items are left out, 2 of type Colour"));
+        let (json, left_out) = told(vec![Some(Value::Colour(Colour { a: 255, r: 1, g: 2, b: 3 }))], true);
+        assert!(json.contains(r#""type":"System.Drawing.Color""#), "{json}");
+        assert_eq!(left_out, None);
     }
 }

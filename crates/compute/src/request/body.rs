@@ -108,14 +108,16 @@ impl<'de> Visitor<'de> for Body<'_> {
 }
 
 /// The members besides the values, in lower case.
-const SCALARS: [&str; 8] = [
+const SCALARS: [&str; 10] = [
     "absolutetolerance",
     "angletolerance",
     "modelunits",
+    "model",
     "dataversion",
     "algo",
     "pointer",
     "cachesolve",
+    "alltypes",
     "recursionlevel",
 ];
 
@@ -125,9 +127,11 @@ fn set(request: &mut SolveRequest, key: &str, value: &Json) -> Result<(), String
         "angletolerance" => request.angle_tolerance = scalar::tolerance(value)?,
         "modelunits" => request.units = scalar::unit(value)?,
         "dataversion" => request.data_version = scalar::whole(value)?.unwrap_or(request.data_version),
+        "model" => request.model = scalar::text(value)?,
         "algo" => request.algo = scalar::text(value)?,
         "pointer" => request.pointer = scalar::text(value)?,
         "cachesolve" => request.cache_solve = scalar::flag(value)?,
+        "alltypes" => request.all_types = scalar::flag(value)?,
         _ => {
             let level = scalar::whole(value)?.unwrap_or(0);
             request.recursion_level = u32::try_from(level).map_err(|_| "is below 0".to_owned())?;

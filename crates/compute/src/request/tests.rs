@@ -16,9 +16,9 @@ fn a_body_is_read_leniently() {
             {"type": "x", "Data": "{\"X\":1}"}, {}, 7, null, [1, 2]]}}, null]}]"#;
     let request = read(body).unwrap();
     assert_eq!(request.pointer(), Some("md5_A"));
-    assert_eq!(request.rules().units, Units::Meters);
-    assert_eq!(request.rules().tolerance.absolute, 0.01);
-    assert!((request.rules().tolerance.angle - 2f64.to_radians()).abs() < 1e-15);
+    assert_eq!(request.rules(None).units, Units::Meters);
+    assert_eq!(request.rules(None).tolerance.absolute, 0.01);
+    assert!((request.rules(None).tolerance.angle - 2f64.to_radians()).abs() < 1e-15);
     assert_eq!((request.archive(), request.cache_solve, request.recursion_level), (80, true, 3));
     let [tree] = request.values.as_slice() else { panic!("{:?}", request.values) };
     assert_eq!(tree.name, "A");
@@ -31,7 +31,7 @@ fn tolerances_count_in_pairs_only() {
     let default = Tolerance::default();
     for body in [r#"{"absolutetolerance": 0.5}"#, r#"{"absolutetolerance": 0.5, "angletolerance": 0}"#, "{}"]
     {
-        assert_eq!(read(body).unwrap().rules().tolerance, default, "{body}");
+        assert_eq!(read(body).unwrap().rules(None).tolerance, default, "{body}");
     }
 }
 
@@ -105,8 +105,46 @@ fn equal_requests_have_equal_digests() {
         r#"{"values": [{"ParamName": "A", "InnerTree": {"0": [{"data": 12}]}}]}"#,
         r#"{"values": [{"ParamName": "A", "InnerTree": {"0": [{"data": 1}], "1": [{"data": 2}]}}]}"#,
         r#"{"values": [{"ParamName": "B", "InnerTree": {"0": [{"data": 1}, {"data": 2}]}}]}"#,
+        r#"{"alltypes": true, "values": [{"ParamName": "A", "InnerTree": {"0": [{"data": 1}, {"data": 2}]}}]}"#,
+        r#"{"model": "AAAA", "values": [{"ParamName": "A", "InnerTree": {"0": [{"data": 1}, {"data": 2}]}}]}"#,
         r#"{"modelunits": "Feet", "values": [{"ParamName": "A", "InnerTree": {"0": [{"data": 1}, {"data": 2}]}}]}"#,
     ] {
         assert_ne!(digest(a), digest(other), "{other}");
     }
+}
+
+/// What the fuzz target `compute_request` looks at, on bodies that are a request but for a few bytes.
+#[test]
+fn damaged_bodies_are_read_within_the_limits_or_refused() {
+    let whole = br#"[{"algo":"AAAA","model":"","modelunits":"Feet","absolutetolerance":"0.01","angletolerance":1,
+        "alltypes":true,"cachesolve":false,"recursionlevel":1,"dataversion":8,"values":[{"ParamName":"A","InnerTree":
+        {"{0;1}":[{"data":"4"},{"data":{"X":1}}],"2":[null,7,[1]]}}]}]"#;
+    let limits = RequestLimits { items: 4, branches: 3, bytes: 1 << 10 };
+    let signs = b"{}[]\",:0-9e.\\ untfalse\x00\xff";
+    // The constants are Knuth's, for a congruential generator.
+    let mut state = 1_u64;
+    let mut below = |count: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % count
+    };
+    let mut read = 0;
+    for _ in 0..20_000 {
+        let mut body = whole.to_vec();
+        for _ in 0..=below(3) {
+            let at = below(body.len());
+            match below(3) {
+                0 => body[at] = signs[below(signs.len())],
+                1 => body.insert(at, signs[below(signs.len())]),
+                _ => drop(body.drain(at..body.len().min(at + 1 + below(8)))),
+            }
+        }
+        let Ok(request) = SolveRequest::read(&body, &limits) else { continue };
+        read += 1;
+        let branches = || request.values.iter().flat_map(|tree| &tree.branches);
+        assert!(branches().count() <= limits.branches);
+        assert!(branches().map(|(_, items)| items.len()).sum::<usize>() <= limits.items);
+        let rules = request.rules(None);
+        assert!(rules.tolerance.absolute > 0.0 && rules.tolerance.angle > 0.0);
+    }
+    assert!(read > 100, "{read} could be read");
 }

@@ -31,18 +31,24 @@ pub(crate) fn run(
         let message = format!("Definitions call one another more than {MOST_RECURSION} times");
         return Err(Fault::bad_request(message));
     }
+    let model = request.read_model(settings.archive.max_inflated as u64)?.map(Arc::new);
+    // What hangs on a model that only this request has is nothing for others.
+    let is_alone = model.is_some() || !request.cache.reads();
     let options = Options {
-        rules: request.rules(),
+        rules: request.rules(model.as_deref()),
         limits: bounds.limits,
         memory: bounds.memory.clone(),
         cancel: bounds.cancel.clone(),
         files: settings.files.clone(),
+        model,
         progress: bounds.progress.clone(),
-        scripts: Some(definition.scripts(settings.scripts.as_deref())),
+        scripts: Some(definition.scripts(settings.scripts.as_deref(), request.cache.reads())),
         remote: Some(Arc::new(Hops::new(settings, web.clone(), recursion))),
         ..Options::default()
     };
-    let mut engine = definition.states().engine(definition.document(), options);
+    let (states, document) = (definition.states(), definition.document());
+    let mut engine =
+        if is_alone { states.unsolved(document, options) } else { states.engine(document, options) };
     let set = give(definition, request, &mut engine)?;
     let decoded = Instant::now();
     engine.solve();
@@ -54,14 +60,14 @@ pub(crate) fn run(
     if bounds.memory.as_ref().is_some_and(|memory| memory.was_refused()) {
         return Err(Fault::busy());
     }
-    let mut reports = (0..definition.document().objects.len()).filter_map(|at| engine.report(at));
+    let mut reports = (0..document.objects.len()).filter_map(|at| engine.report(at));
     if let Some(time) = bounds.limits.time.filter(|time| took >= *time)
         && reports.any(|report| report.status == Status::Error)
     {
         let message = format!("The time limit of {} seconds is over", time.as_secs_f64());
         return Err(Fault::new(Cause::TimedOut, message));
     }
-    let learnt = definition.states().learn(definition.document(), &engine, set);
+    let learnt = !is_alone && states.learn(document, &engine, set);
     let timings = Timings { decode: decoded - begin, solve: took, encode: Default::default() };
     Ok((Solution::new(definition.clone(), engine, request, settings, timings), learnt))
 }

@@ -6,7 +6,7 @@ use katydid_data::Tree;
 use katydid_session::{BakeOptions, Baked, bake};
 use katydid_solver::{Engine, Inputs};
 
-use crate::definition::Data;
+use crate::definition::{Data, idle_objects};
 use crate::reply::{Messages, OutputTree, Reply};
 use crate::{Definition, Settings, SolveRequest};
 
@@ -29,6 +29,7 @@ pub struct Solution {
     messages: Messages,
     archive: i32,
     cache_solve: bool,
+    all_types: bool,
     warnings: bool,
     timings: Timings,
 }
@@ -45,6 +46,7 @@ impl Solution {
             messages: Messages::of(&engine, &definition.interface().problems),
             archive: request.archive(),
             cache_solve: request.cache_solve,
+            all_types: request.all_types,
             warnings: settings.warnings,
             definition,
             engine,
@@ -57,6 +59,7 @@ impl Solution {
         let inputs = Inputs::new(&self.engine);
         let outputs = &self.definition.interface().outputs;
         let mut messages = self.messages.clone();
+        messages.warnings.extend(idle_objects(self.definition.document()));
         let values = outputs
             .iter()
             .map(|output| {
@@ -64,7 +67,8 @@ impl Solution {
                     Data::Given { object, output } => self.given(object, output),
                     Data::Taken { object, input } => inputs.of(object).into_iter().nth(input),
                 };
-                let (tree, left_out) = OutputTree::of(&output.name, &tree.unwrap_or_default(), self.archive);
+                let (tree, left_out) =
+                    OutputTree::of(&output.name, &tree.unwrap_or_default(), self.archive, self.all_types);
                 messages.warnings.extend(left_out);
                 tree
             })

@@ -58,6 +58,13 @@ impl States {
         engine
     }
 
+    /// An engine for a request that takes nothing from others.
+    pub(crate) fn unsolved(&self, document: &Document, options: Options) -> Engine {
+        let mut engine = self.blank(document).clone();
+        *engine.options_mut() = options;
+        engine
+    }
+
     fn blank(&self, document: &Document) -> &Engine {
         self.blank.get_or_init(|| Engine::new(document.clone(), Options::default()))
     }

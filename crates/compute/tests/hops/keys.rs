@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use katydid_component::Cancel;
-use katydid_compute::{Compute, HostKey, SolveRequest};
+use katydid_compute::{CacheControl, Compute, HostKey, SolveRequest};
 
 use super::*;
 
@@ -38,7 +38,9 @@ fn a_host_is_shown_its_own_key_and_no_other() {
     assert_eq!(*others.lock().unwrap(), [None, None, None]);
     // Whoever names a definition by its address has no use of the key.
     let compute = Compute::new(settings);
-    compute.fetch(&format!("http://{our_host}/double.gh"), None, &Cancel::default()).unwrap();
+    compute
+        .fetch(&format!("http://{our_host}/double.gh"), None, &Cancel::default(), CacheControl::Allowed)
+        .unwrap();
     assert_eq!(ours.lock().unwrap().last(), Some(&None));
     assert!(SolveRequest::read(b"{}", &compute.settings().request).is_ok());
 }

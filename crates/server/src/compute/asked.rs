@@ -3,10 +3,12 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use axum::http::HeaderValue;
+use axum::http::header::{CACHE_CONTROL, PRAGMA};
+use axum::http::{HeaderMap, HeaderValue};
 use axum::response::Response;
 use bytes::Bytes;
 use katydid_component::Cancel;
+use katydid_compute::CacheControl;
 
 use super::behind::{Head, IN_FRONT};
 use super::body::Received;
@@ -35,13 +37,21 @@ impl Asking {
         let allowance = Allowance::new(service.config.timeout, service.config.limits, &self.query)?;
         let end = self.head.since.checked_add(allowance.time);
         let memory = service.memory.account(allowance.bytes);
-        Ok(Reins { cancel: Cancel::default(), progress: None, allowance, memory, end })
+        let cache = cache_control(&self.head.headers);
+        Ok(Reins { cancel: Cancel::default(), progress: None, allowance, cache, memory, end })
     }
 
     /// What is left of the time.
     fn left(&self, reins: &Reins) -> Duration {
         reins.allowance.time.saturating_sub(self.head.since.elapsed())
     }
+}
+
+/// What the head of a request says about caches. `Pragma` is what clients of HTTP/1.0 have for it.
+pub(crate) fn cache_control(headers: &HeaderMap) -> CacheControl {
+    let values = headers.get_all(CACHE_CONTROL).iter().chain(headers.get_all(PRAGMA));
+    let asked = values.filter_map(|value| value.to_str().ok()).map(CacheControl::of_header);
+    asked.fold(CacheControl::Allowed, CacheControl::stricter)
 }
 
 /// An answer, and which process gave it.

@@ -1,4 +1,5 @@
 use std::net::{IpAddr, Ipv4Addr};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -45,6 +46,8 @@ pub struct Config {
     /// The hosts that definitions may be fetched from and that Hops components may ask, as `example.org` or
     /// `127.0.0.1:8081`; none when there are none.
     pub hosts: Vec<String>,
+    /// The folders below which a pointer may name the file of a definition by its path; none when there are none.
+    pub definitions: Vec<PathBuf>,
     /// Certificates in PEM form of the authorities that are believed over https; those that browsers believe when it
     /// is empty.
     pub authorities: Vec<u8>,
@@ -89,6 +92,7 @@ impl Default for Config {
             key: None,
             origins: Vec::new(),
             hosts: Vec::new(),
+            definitions: Vec::new(),
             authorities: Vec::new(),
             hops_server: None,
             hops_keys: Vec::new(),

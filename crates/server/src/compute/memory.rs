@@ -125,6 +125,7 @@ mod tests {
     use std::time::{Duration, Instant};
 
     use katydid_component::Cancel;
+    use katydid_compute::CacheControl;
 
     use super::super::work::Allowance;
     use super::*;
@@ -137,7 +138,8 @@ mod tests {
     fn reins(account: &Arc<Account>, time: Duration) -> Reins {
         let allowance = Allowance { time, items: 1, bytes: account.limit() };
         let end = Instant::now().checked_add(time);
-        Reins { cancel: Cancel::default(), progress: None, allowance, memory: Arc::clone(account), end }
+        let (cancel, cache, memory) = (Cancel::default(), CacheControl::Allowed, Arc::clone(account));
+        Reins { cancel, progress: None, allowance, cache, memory, end }
     }
 
     /// A request that is answered with so many megabytes.

@@ -77,10 +77,11 @@ pub(crate) async fn page(service: &Service) -> Sent {
 }
 
 /// The families of figures that both processes have a part of. Requests are counted in front.
-const OF_BOTH: [&str; 9] = [
+const OF_BOTH: [&str; 10] = [
     "solves_waiting",
     "solves_running",
     "threads_lost",
+    "threads_stuck",
     "failures_total",
     "common_memory_bytes",
     "resident_memory_bytes",
@@ -152,6 +153,7 @@ fn write(service: &Service, out: &mut String) -> std::fmt::Result {
     gauge("solves_running", "gauge", "Requests that are being solved.", count(load.running))?;
     gauge("solve_places", "gauge", "How many can be solved at a time.", count(service.config.workers()))?;
     gauge("threads_lost", "gauge", "Threads that have been given up.", count(load.lost))?;
+    gauge("threads_stuck", "gauge", "Threads that do not stop though they were told to.", count(load.stuck))?;
     gauge("failures_total", "counter", "Solves that failed as they must not.", load.failed as f64)?;
     let taken = service.memory.taken() as f64;
     gauge("common_memory_bytes", "gauge", "Memory that requests take beyond their shares.", taken)?;

@@ -12,7 +12,7 @@ use axum::response::Response;
 use bytes::Bytes;
 use uuid::Uuid;
 
-use super::asked::Asking;
+use super::asked::{Asking, cache_control};
 use super::behind::{Head, waited};
 use super::body::Received;
 use super::cors::is_preflight;
@@ -143,13 +143,13 @@ async fn routed(
         }
         Route::Jobs => {
             let body = service.room.receive(&head.headers, body).await?;
-            jobs::submit(owned, client, &query, body).await?
+            jobs::submit(owned, client, &query, cache_control(&head.headers), body).await?
         }
         Route::Job if asks => jobs::about(service, id)?,
         Route::Job => jobs::cancel(service, id)?,
         Route::JobEvents => return jobs::events(service, id),
         Route::JobResult => jobs::result(service, client, id, &query, packs).await?,
-        Route::Health => health::check(owned).await,
+        Route::Health => health::check(owned, &query).await,
         Route::Metrics => metrics::page(service).await,
         Route::OpenApi => openapi::document(packs),
         Route::Docs => openapi::page(packs),

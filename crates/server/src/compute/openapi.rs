@@ -65,6 +65,11 @@ fn operation(address: &Address, method: &str) -> Value {
         let text = "A file in place of JSON: glb, gltf, obj, ply, step, stl, svg or 3dm";
         parameters.push(parameter("format", "query", text, "string"));
     }
+    if address.route == Route::Health {
+        let text =
+            "json for an object with the status, the reason, and how many solves run, wait and do not stop";
+        parameters.push(parameter("format", "query", text, "string"));
+    }
     if solves {
         for (name, text) in [
             ("seconds", "The most time that the solve may take, when less than the server allows"),
@@ -191,11 +196,15 @@ fn schemas() -> Value {
             "properties": {
                 "algo": {"type": ["string", "null"], "description": "A .gh or .ghx file in base64"},
                 "pointer": {"type": ["string", "null"],
-                    "description": "md5_… from an earlier reply, or an address of a host that the server may ask"},
+                    "description": "md5_… from an earlier reply, an address of a host that the server may ask, or the path of a file below its folders of definitions"},
                 "values": {"type": "array", "items": tree},
                 "absolutetolerance": {"type": "number"},
                 "angletolerance": {"type": "number", "description": "In degrees"},
                 "modelunits": {"type": "string", "examples": ["Millimeters"]},
+                "model": {"type": ["string", "null"],
+                    "description": "The .3dm file that the definition looks into, in base64; its unit and tolerances count"},
+                "alltypes": {"type": "boolean",
+                    "description": "Replies with items of types too that clients of Rhino.Compute do not know"},
                 "dataversion": {"type": "integer", "enum": [6, 7, 8]},
                 "cachesolve": {"type": "boolean"},
                 "recursionlevel": {"type": "integer"},

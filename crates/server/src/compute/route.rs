@@ -73,7 +73,12 @@ pub(crate) const ADDRESSES: &[Address] = &[
     at(Route::Grasshopper, "/grasshopper", POST, "Solves a definition with the values of its inputs"),
     at(Route::Io, "/io", BOTH, "What a definition asks for and gives"),
     at(Route::Jobs, "/jobs", POST, "Solves a definition without keeping the caller waiting"),
-    at(Route::Job, "/jobs/{id}", &["GET", "DELETE"], "How far a job is; DELETE stops it"),
+    at(
+        Route::Job,
+        "/jobs/{id}",
+        &["GET", "DELETE"],
+        "How far a job is; DELETE stops it, or forgets it when it is over",
+    ),
     at(Route::JobEvents, "/jobs/{id}/events", GET, "A job's progress as server-sent events"),
     at(Route::JobResult, "/jobs/{id}/result", GET, "What came of a job"),
     at(Route::Geometry, "/rhino/**", BOTH, "A function of RhinoCommon, called with a list of arguments"),

@@ -31,6 +31,9 @@ pub(crate) const HTML: &str = "text/html; charset=utf-8";
 /// The name of the header that tells how long the steps took.
 pub(crate) const SERVER_TIMING: HeaderName = HeaderName::from_static("server-timing");
 
+/// The name of the header that tells that an answer is that of an earlier request (RFC 9211).
+pub(crate) const CACHE_STATUS: HeaderName = HeaderName::from_static("cache-status");
+
 /// A whole answer: its length is known before its head is sent.
 #[derive(Debug, Clone)]
 pub(crate) struct Sent {

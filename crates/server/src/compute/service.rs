@@ -60,6 +60,7 @@ impl Service {
         }
         let settings = Settings {
             files: Trust::shared(Vec::new()).files(Origin::Sent),
+            definitions: config.definitions.clone(),
             cache_bytes: config.cache_bytes,
             request: RequestLimits { bytes: config.most_body, ..RequestLimits::default() },
             web: WebSettings {

@@ -6,9 +6,9 @@ use std::time::{Duration, Instant};
 use axum::http::HeaderMap;
 use axum::response::Response;
 use katydid_component::Cancel;
-use katydid_compute::{Located, SolveRequest};
+use katydid_compute::{CacheControl, Located, SolveRequest};
 
-use super::asked::{Asking, answered};
+use super::asked::{Asking, answered, cache_control};
 use super::body::Received;
 use super::form::Form;
 use super::pool::{Client, Clock, Lane, SLICE, Step};
@@ -57,7 +57,8 @@ async fn waited(
     let work = move |reins: Reins| packed(work::begin(held, own, wish, reins), packs);
     let since = Instant::now();
     let answered = answered(&service, &asking, Some(&body), work).await?;
-    if answered.is_from_behind && answered.response.status().is_success() && !body.is_large() {
+    let may_keep = cache_control(&asking.head.headers) == CacheControl::Allowed;
+    if may_keep && answered.is_from_behind && answered.response.status().is_success() && !body.is_large() {
         let took = match wish {
             Wish::Description => Some(since.elapsed()),
             _ => timed(answered.response.headers()),

@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 
 use katydid_3dm::Model;
 use katydid_component::{Account, Cancel, Limits};
-use katydid_compute::{Bounds, Cause, Definition, Fault, Located, Solution, SolveRequest, Timings};
+use katydid_compute::{
+    Bounds, CacheControl, Cause, Definition, Fault, Located, Solution, SolveRequest, Timings,
+};
 use katydid_solver::Listener;
 
 use super::body::Received;
@@ -13,7 +15,7 @@ use super::form::Form;
 use super::pool::{Lane, Step};
 use super::query::Query;
 use super::refusal::Refusal;
-use super::sent::{JSON, Sent};
+use super::sent::{CACHE_STATUS, JSON, Sent};
 use super::service::Service;
 use axum::http::StatusCode;
 
@@ -56,6 +58,8 @@ pub(crate) struct Reins {
     pub(crate) cancel: Cancel,
     pub(crate) progress: Option<Listener>,
     pub(crate) allowance: Allowance,
+    /// What may be taken from earlier requests and left for later ones.
+    pub(crate) cache: CacheControl,
     /// What counts its memory.
     pub(crate) memory: Arc<Account>,
     /// When its time is over.
@@ -194,6 +198,7 @@ pub(crate) fn with_request(
     reins: Reins,
     start: Instant,
 ) -> Step<Came> {
+    let request = SolveRequest { cache: reins.cache, ..request };
     let kept = service.compute.at_hand(&request);
     let lane = match &kept {
         None => Lane::New,
@@ -233,11 +238,11 @@ fn definition(service: &Service, request: &SolveRequest, reins: &Reins) -> Resul
         Located::Here(definition) => Ok(definition),
         Located::Url(url) => {
             let time = reins.end.map(|end| end.saturating_duration_since(Instant::now()));
-            let fetched = service.compute.fetch(&url, time, &reins.cancel);
+            let fetched = service.compute.fetch(&url, time, &reins.cancel, reins.cache);
             match (fetched, request.algo.as_deref().filter(|algo| !algo.trim().is_empty())) {
                 (Ok(definition), _) => Ok(definition),
                 // What cannot be fetched may have been sent along.
-                (Err(_), Some(algo)) => Ok(service.compute.load(algo)?),
+                (Err(_), Some(algo)) => Ok(service.compute.load_with(algo, reins.cache)?),
                 (Err(fault), None) => Err(fault.into()),
             }
         }
@@ -279,7 +284,10 @@ fn solved(
         let answer = answer.map_err(|fault| reins.refusal(fault))?;
         let timings = Timings { decode: decode + answer.timings.decode, ..answer.timings };
         let body = bytes::Bytes::from_owner(answer.body);
-        let sent = Sent::new(JSON, body).with_status(status(answer.has_errors));
+        let mut sent = Sent::new(JSON, body).with_status(status(answer.has_errors));
+        if answer.kept {
+            sent = sent.with(CACHE_STATUS, "katydid; hit");
+        }
         return Ok(Outcome::Sent(timed(sent, timings)));
     }
     let solution = service.compute.solve(definition, request, bounds);

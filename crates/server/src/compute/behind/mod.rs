@@ -10,6 +10,7 @@
 //!
 //! In front, work has a slice of time and a share of memory. What needs more is given up and done behind.
 
+mod answered;
 mod orders;
 mod process;
 mod processors;
@@ -18,7 +19,9 @@ use std::net::SocketAddr;
 use std::time::{Duration, Instant};
 
 use axum::body::Body;
-use axum::http::header::{ACCEPT_ENCODING, CONTENT_ENCODING, CONTENT_TYPE, HeaderName, HeaderValue};
+use axum::http::header::{
+    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, HeaderName, HeaderValue, PRAGMA,
+};
 use axum::http::{HeaderMap, Method, Request, Uri};
 use axum::response::Response;
 use bytes::Bytes;
@@ -30,6 +33,7 @@ use tokio::task::JoinHandle;
 use tokio::time::timeout;
 
 use super::refusal::Refusal;
+use answered::Answered;
 use process::{Place, Process, keep};
 use processors::Processors;
 
@@ -46,7 +50,7 @@ const AGAIN: Duration = Duration::from_secs(5);
 /// It refuses in time itself; if it does not, it is no longer waited for after so much more.
 const MORE: Duration = Duration::from_secs(2);
 /// What of a request is sent on: the rest was for the one in front.
-const SENT_ON: [HeaderName; 3] = [CONTENT_TYPE, CONTENT_ENCODING, ACCEPT_ENCODING];
+const SENT_ON: [HeaderName; 5] = [CONTENT_TYPE, CONTENT_ENCODING, ACCEPT_ENCODING, CACHE_CONTROL, PRAGMA];
 
 /// The process behind, as the one in front knows it.
 pub(crate) struct Behind {
@@ -54,6 +58,7 @@ pub(crate) struct Behind {
     key: HeaderValue,
     at: watch::Receiver<Option<Place>>,
     processors: Processors,
+    answered: Answered,
     stop: watch::Sender<bool>,
     keeping: tokio::sync::Mutex<Option<JoinHandle<()>>>,
 }
@@ -87,12 +92,18 @@ impl Behind {
         let mut connector = HttpConnector::new();
         connector.set_nodelay(true);
         let client = Client::builder(TokioExecutor::new()).build(connector);
-        Ok(Self { client, key, at, processors, stop, keeping: tokio::sync::Mutex::new(Some(keeping)) })
+        let (answered, keeping) = (Answered::now(), tokio::sync::Mutex::new(Some(keeping)));
+        Ok(Self { client, key, at, processors, answered, stop, keeping })
     }
 
     /// Whether it is there.
     pub(crate) fn is_there(&self) -> bool {
         self.at.borrow().is_some()
+    }
+
+    /// How long ago it last answered anything.
+    pub(crate) fn silence(&self) -> Duration {
+        self.answered.since()
     }
 
     /// Notes that something quick was answered in front: as long as that goes on, the process behind leaves a
@@ -138,13 +149,14 @@ impl Behind {
             }
         };
         let (parts, body) = answered.map_err(|_| lost())?.into_parts();
+        self.answered.touch();
         let mut response = Response::new(Body::new(body));
         *response.status_mut() = parts.status;
         *response.headers_mut() = parts.headers;
         Ok(response)
     }
 
-    /// What is at an address there, if it is a text.
+    /// What is at an address there, if it is a text, whatever the status.
     pub(crate) async fn text(&self, path: &'static str) -> Option<String> {
         const SOON: Duration = Duration::from_secs(2);
         const MOST: usize = 1 << 20;

@@ -72,6 +72,12 @@ impl Job {
         }
     }
 
+    /// Waits until it is cancelled.
+    async fn cancelled(&self) {
+        let mut stage = self.stage.subscribe();
+        let _ = stage.wait_for(|stage| matches!(stage, Stage::Cancelled)).await;
+    }
+
     /// The bytes that its result takes.
     fn weight(&self) -> u64 {
         match &*self.stage.borrow() {
@@ -148,6 +154,11 @@ impl Jobs {
         let job = held(&self.all).get(id).cloned();
         let job = job.filter(|job| job.age().is_none_or(|age| age < self.keep));
         job.ok_or_else(|| Refusal::missing("there is no such job, or its result is kept no longer"))
+    }
+
+    /// Lets a job go that is over.
+    fn forget(&self, id: &str) {
+        held(&self.all).remove(id);
     }
 
     /// How many are in each stage.

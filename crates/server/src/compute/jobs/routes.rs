@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use axum::http::StatusCode;
 use katydid_component::Cancel;
+use katydid_compute::CacheControl;
 use katydid_solver::Progress;
 
 use super::super::body::Received;
@@ -22,18 +23,26 @@ pub(crate) async fn submit(
     service: Arc<Service>,
     client: Client,
     query: &Query,
+    cache: CacheControl,
     body: Received,
 ) -> Result<Sent, Refusal> {
     let allowance = Allowance::new(service.config.job_timeout, service.config.limits, query)?;
     let job = service.jobs.add()?;
     let answer = Sent::json(&job.about(&Stage::Waiting));
     let place = format!("/jobs/{}", job.id);
-    tokio::spawn(run(service, client, Arc::clone(&job), body, allowance));
+    tokio::spawn(run(service, client, Arc::clone(&job), body, allowance, cache));
     Ok(answer.with_status(StatusCode::ACCEPTED).at(&place))
 }
 
 /// Sees a job through.
-async fn run(service: Arc<Service>, client: Client, job: Arc<Job>, body: Received, allowance: Allowance) {
+async fn run(
+    service: Arc<Service>,
+    client: Client,
+    job: Arc<Job>,
+    body: Received,
+    allowance: Allowance,
+    cache: CacheControl,
+) {
     let (own, held) = (Arc::clone(&job), Arc::clone(&service));
     let cancel: Cancel = job.cancel.clone();
     let memory = service.memory.account(allowance.bytes);
@@ -46,10 +55,15 @@ async fn run(service: Arc<Service>, client: Client, job: Arc<Job>, body: Receive
         own.go_on(Stage::Running { done: 0, total: 0, name: String::new() });
         let end = std::time::Instant::now().checked_add(allowance.time);
         let cancel = own.cancel.clone();
-        let reins = Reins { cancel, progress: Some(Arc::new(progress)), allowance, memory, end };
+        let reins = Reins { cancel, progress: Some(Arc::new(progress)), allowance, cache, memory, end };
         counted(reins.clone(), move || kept(work::begin(held, body, Wish::Kept, reins)))
     };
-    let came = service.pool.run(client, &cancel, (Clock::Begun, allowance.time), work).await;
+    let solve = service.pool.run(client, &cancel, (Clock::Begun, allowance.time), work);
+    // Who cancels a job takes it out of the line, or has its thread given up if it does not stop.
+    let came = tokio::select! {
+        came = solve => came,
+        () = job.cancelled() => return,
+    };
     job.go_on(match came {
         Ok(Ok(solved)) => Stage::Done(solved),
         Ok(Err(refusal)) => Stage::Failed(refusal),
@@ -97,7 +111,9 @@ pub(crate) async fn result(
             let memory = service.memory.account(allowance.bytes);
             let end = std::time::Instant::now().checked_add(allowance.time);
             let (cancel, counting) = (Cancel::default(), Arc::clone(&memory));
-            let reins = Reins { cancel: cancel.clone(), progress: None, allowance, memory: counting, end };
+            let cache = CacheControl::Allowed;
+            let reins =
+                Reins { cancel: cancel.clone(), progress: None, allowance, cache, memory: counting, end };
             let write = move || Step::Done(solved.sent(form).map(|sent| sent.packed(packs)));
             let clock = (Clock::Asked, allowance.time);
             let sent = service.pool.run(client, &cancel, clock, move || counted(reins, write)).await??;
@@ -106,9 +122,12 @@ pub(crate) async fn result(
     }
 }
 
-/// Stops a job, if it still runs.
+/// Stops a job, if it still runs; one that is over is forgotten, with its result.
 pub(crate) fn cancel(service: &Service, id: &str) -> Result<Sent, Refusal> {
     let job = service.jobs.get(id)?;
+    if job.age().is_some() {
+        service.jobs.forget(id);
+    }
     job.cancel.cancel();
     job.go_on(Stage::Cancelled);
     let stage = job.stage.borrow().clone();

@@ -7,6 +7,7 @@
 //! Requests are read, and what is known to be quick is solved, on threads in front. Those in the back do the rest with a
 //! lower priority: where there are more solves than processors, who asks for a small thing does not wait for the others.
 
+mod lost;
 mod queue;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,11 +19,10 @@ use katydid_component::Cancel;
 use tokio::sync::oneshot;
 
 use crate::lock::held;
+use lost::Lost;
 pub(crate) use queue::{Client, Lane, Places, SLICE};
 use queue::{Queue, Row, Ticket};
 
-/// So many threads may have been given up at a time; beyond that their places stay taken.
-const MOST_LOST: usize = 16;
 /// What does not heed its deadline for so long is given up.
 const HARD: Duration = Duration::from_millis(750);
 /// Deep definitions recurse.
@@ -80,7 +80,7 @@ struct Shared {
 
 struct Inner {
     queue: Queue<Work>,
-    lost: usize,
+    lost: Lost,
     /// How many threads in front wait for work.
     idle_in_front: usize,
 }
@@ -91,13 +91,15 @@ pub(crate) struct Load {
     pub(crate) waiting: usize,
     pub(crate) running: usize,
     pub(crate) lost: usize,
+    /// Of those that were given up, how many do not stop though they were told to a while ago.
+    pub(crate) stuck: usize,
     pub(crate) failed: u64,
 }
 
 impl Pool {
     pub(crate) fn new(places: Places) -> Self {
         let processors = std::thread::available_parallelism().map_or(1, usize::from);
-        let inner = Inner { queue: Queue::new(places), lost: 0, idle_in_front: 0 };
+        let inner = Inner { queue: Queue::new(places), lost: Lost::default(), idle_in_front: 0 };
         let shared = Arc::new(Shared {
             queue: Mutex::new(inner),
             wake_front: Condvar::new(),
@@ -113,7 +115,7 @@ impl Pool {
 
     /// How much may run at a time, what was given up included.
     pub(crate) fn most(places: Places) -> usize {
-        places.all().max(2) + MOST_LOST
+        places.all().max(2) + Lost::MOST
     }
 
     pub(crate) fn load(&self) -> Load {
@@ -121,7 +123,8 @@ impl Pool {
         Load {
             waiting: inner.queue.waiting(),
             running: inner.queue.running(),
-            lost: inner.lost,
+            lost: inner.lost.count(),
+            stuck: inner.lost.stuck(Instant::now()),
             failed: self.shared.failed.load(Ordering::Relaxed),
         }
     }
@@ -234,10 +237,11 @@ impl Drop for Waiting<'_> {
 impl Shared {
     /// Gives up a thread that does not stop, if it still runs: another takes its place.
     fn lose(shared: &Arc<Self>, inner: &mut Inner, ticket: Ticket) {
-        if inner.lost < MOST_LOST
+        // Beyond so many their places stay taken.
+        if inner.lost.has_room()
             && let Some(row) = inner.queue.end(ticket)
         {
-            inner.lost += 1;
+            inner.lost.add(ticket, Instant::now());
             Self::hire(shared, row);
         }
     }
@@ -286,7 +290,7 @@ fn work_on(shared: &Weak<Shared>, row: Row) {
             inner.queue.set_back(ticket, lane, rest);
         } else if inner.queue.end(ticket).is_none() {
             // It has a substitute.
-            inner.lost = inner.lost.saturating_sub(1);
+            inner.lost.is_back(ticket);
             return;
         }
         // There is a place now that another thread may be the one to fill.

@@ -1,22 +1,32 @@
 //! Whether the server can do what it is for: a small definition is read, solved and written as any other.
+//!
+//! It is told within two seconds, and what is busy is told from what is stuck: work that has time left is busy, work that
+//! was told to stop and does not is stuck.
+
+mod told;
 
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
-use axum::http::StatusCode;
 use katydid_component::{Cancel, Limits};
 use katydid_compute::{Bounds, Definition, SolveRequest};
 use katydid_definition::kd;
 use katydid_session::Registry;
+use tokio::time::timeout;
 
+use super::behind::Behind;
 use super::pool::{Client, Clock, Step, Undone};
+use super::query::Query;
 use super::sent::Sent;
 use super::service::Service;
+use told::Health;
 
 /// Two and three are five.
 const SUM: &str = "katydid 1\na = Number Slider(2.0, 0..10)\nsum = Addition(a, 3)\n\"RH_OUT:sum\": sum\n";
-/// It takes no longer where all is well, waiting included.
-const TIME: Duration = Duration::from_secs(10);
+/// It takes no longer where all is well, waiting included. What does not heed that is given up a little later.
+const TIME: Duration = Duration::from_secs(1);
+/// The process behind has so long to say how it is.
+const BEHIND: Duration = Duration::from_millis(1900);
 
 /// The definition that is tried, in the form that clients send.
 #[derive(Debug, Default)]
@@ -33,23 +43,43 @@ fn written() -> Result<Vec<u8>, String> {
     definition.document.to_gh().map_err(|error| error.to_string())
 }
 
-/// Solves it, in line with everything else; tells which part fails.
-pub(crate) async fn check(service: Arc<Service>) -> Sent {
-    let unhealthy = |part: &str, reason: &str| {
-        Sent::text(format!("Unhealthy: {part}: {reason}")).with_status(StatusCode::SERVICE_UNAVAILABLE)
-    };
-    if service.behind.as_ref().is_some_and(|behind| !behind.is_there()) {
-        return unhealthy("processes", "the second one is being started");
+/// How the server is: the worse of what this process and the one behind are.
+pub(crate) async fn check(service: Arc<Service>, query: &Query) -> Sent {
+    let (own, other) = tokio::join!(own(&service), other(service.behind.as_ref()));
+    let health = own.worse(other);
+    let is_json = query.get("format").is_some_and(|format| format.eq_ignore_ascii_case("json"));
+    if is_json { health.json(service.pool.load()) } else { health.text() }
+}
+
+/// How this process is.
+async fn own(service: &Arc<Service>) -> Health {
+    let load = service.pool.load();
+    if load.stuck > 0 {
+        return Health::stuck(load.stuck);
     }
     let cancel = Cancel::default();
-    let (held, inside) = (Arc::clone(&service), cancel.clone());
+    let (held, inside) = (Arc::clone(service), cancel.clone());
     let work = move || Step::Done(tried(&held, inside));
     match service.pool.run(Client(0), &cancel, (Clock::Asked, TIME), work).await {
-        Ok(Ok(())) => Sent::text("Healthy"),
-        Ok(Err((part, reason))) => unhealthy(part, &reason),
-        Err(Undone::Full | Undone::Waited) => unhealthy("pool", "too much waits"),
-        Err(Undone::Late) => unhealthy("solve", "it does not end"),
-        Err(Undone::Failed) => unhealthy("solve", "it failed as it must not"),
+        Ok(Ok(())) => Health::Healthy,
+        Ok(Err((part, reason))) => Health::unhealthy(part, &reason),
+        Err(Undone::Full | Undone::Waited) => Health::busy(service.pool.load()),
+        Err(Undone::Late) => Health::unhealthy("solve", "it does not end"),
+        Err(Undone::Failed) => Health::unhealthy("solve", "it failed as it must not"),
+    }
+}
+
+/// How the process behind is, if there is one.
+async fn other(behind: Option<&Behind>) -> Health {
+    let Some(behind) = behind else { return Health::Healthy };
+    if !behind.is_there() {
+        return Health::unhealthy("processes", "the second one is being started");
+    }
+    match timeout(BEHIND, behind.text("/healthcheck")).await {
+        Ok(Some(text)) => Health::read(&text),
+        // It has a lower priority: where others take all processors, it is slow to answer, and still does.
+        _ if behind.silence() < BEHIND => Health::Busy("the second process answers slowly".to_owned()),
+        _ => Health::unhealthy("processes", "the second one does not answer"),
     }
 }
 

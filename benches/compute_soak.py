@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""A compute server of this machine for half an hour among clients of every sort.
+
+usage: compute_soak.py BINARY LOAD [--clients 64] [--seconds 1800] [--definitions 50]
+
+LOAD is the client: `cargo build --release -p katydid-server --example compute_load`.
+
+Most turns ask and wait, and each answer is compared with what `katydid run` says. The others leave a solve that runs, go in
+the middle of a request, send what is no request, too much or too slowly, have jobs done, cancel them, and refuse the cache.
+Prints one line a measure. The exit code is 1 when an answer was wrong or missing, memory has grown by more than 3 % since
+the warm-up, a file descriptor was lost, or the server did not become idle and healthy.
+"""
+
+import argparse
+import base64
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+from concurrent.futures import ThreadPoolExecutor
+
+from compute_load import INPUTS, prepared, resident
+
+# A megabyte of body is too much, so that what is too much is said quickly.
+SERVE = ["serve", "--port", "0", "--max-body", str(1 << 20), "--timeout", "20", "--keep-jobs", "60"]
+# A formula that may give a text, so that it is worked out item by item: minutes of work.
+SLOW = 'Expression("if(x > -1e9, sin(x) * cos(x) + sqrt(abs(x)), \\"\\")", x = {})'
+# The part of the time that is warm-up, and the part at either end of the rest that is compared.
+WARM, END = 0.2, 0.1
+MOST_GROWTH = 3.0
+
+
+def endless(binary, folder):
+    """The body of a request that nobody waits for."""
+    lines = ["katydid 1", "n = Number Slider(400000.0, 0..900000)", "s = Series(0, 1, n)"]
+    last = "s"
+    for k in range(400):
+        lines.append(f"e{k} = {SLOW.format(last)}")
+        last = f"e{k}"
+    lines += ['"RH_IN:n": n', f'"RH_OUT:end": {last}', ""]
+    kd, gh = f"{folder}/endless.kd", f"{folder}/endless.gh"
+    with open(kd, "w") as file:
+        file.write("\n".join(lines))
+    subprocess.run([binary, "convert", kd, gh], check=True, capture_output=True)
+    with open(gh, "rb") as file:
+        return json.dumps({"algo": base64.b64encode(file.read()).decode(), "values": []})
+
+
+class Server:
+    """The two processes of `katydid serve`."""
+
+    def __init__(self, binary):
+        self.process = subprocess.Popen([binary, *SERVE], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.host = self.process.stdout.readline().strip().removeprefix("http://").rstrip("/")
+
+    def pids(self):
+        pid, children = self.process.pid, []
+        for task in os.listdir(f"/proc/{pid}/task"):
+            with open(f"/proc/{pid}/task/{task}/children") as file:
+                children += [int(child) for child in file.read().split()]
+        return [pid, *children]
+
+    def memory(self):
+        return sum(resident(pid) for pid in self.pids())
+
+    def descriptors(self):
+        return sum(len(os.listdir(f"/proc/{pid}/fd")) for pid in self.pids())
+
+    def ask(self, method, path, body=None):
+        request = urllib.request.Request(f"http://{self.host}{path}", data=body, method=method)
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            return answer.read().decode()
+
+    def figure(self, name):
+        page = self.ask("GET", "/metrics").splitlines()
+        return sum(float(line.rsplit(" ", 1)[1]) for line in page if line.split("{")[0].split(" ")[0] == name)
+
+    def works(self):
+        """Whether anything runs or waits, or was given up and is not back."""
+        parts = "solves_running", "solves_waiting", "threads_lost"
+        return any(self.figure(f"katydid_{part}") for part in parts)
+
+    def end(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+def until(is_so, seconds):
+    """Waits until something is so; whether it is."""
+    end = time.monotonic() + seconds
+    while not is_so():
+        if time.monotonic() > end:
+            return False
+        time.sleep(0.005)
+    return True
+
+
+def cancelled(server, body):
+    """The milliseconds from the cancellation of a job until nothing runs any more, not even what was given up."""
+    times = []
+    for _ in range(20):
+        place = "/jobs/" + json.loads(server.ask("POST", "/jobs", body))["id"]
+        until(lambda: json.loads(server.ask("GET", place))["state"] == "running", 30)
+        time.sleep(0.3)
+        begin = time.perf_counter()
+        server.ask("DELETE", place)
+        until(lambda: not server.works(), 30)
+        times.append((time.perf_counter() - begin) * 1e3)
+    return sorted(times)
+
+
+def run(server, load, folder, cases, body, words):
+    """The report of the clients, and the memory over the time."""
+    paths = f"{folder}/cases.json", f"{folder}/endless.json"
+    for path, text in zip(paths, (json.dumps(cases), body)):
+        with open(path, "w") as file:
+            file.write(text)
+    command = [load, "soak", server.host, paths[0], str(words.clients), str(words.seconds), paths[1]]
+    clients = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    begin, memory = time.monotonic(), []
+    step = min(5.0, words.seconds / 60)
+    while clients.poll() is None:
+        memory.append((time.monotonic() - begin, server.memory()))
+        time.sleep(step)
+    if clients.returncode:
+        sys.exit("the clients failed")
+    return json.loads(clients.stdout.read()), memory
+
+
+def growth(memory, seconds):
+    """Megabytes after the warm-up and at the end, and the growth in percent."""
+    def mean(start, end):
+        return statistics.mean(size for at, size in memory if start * seconds <= at <= end * seconds) / (1 << 20)
+    early, late = mean(WARM, WARM + END), mean(1 - END, 1.0)
+    return early, late, (late / early - 1) * 100
+
+
+def report(seen, memory, words):
+    """Prints what the clients saw; gives what was not as it should be."""
+    faults = 0
+    p50, p95, p99, p999, most = seen["p50_p95_p99_p999_most_ms"]
+    print(f"{words.clients} clients, {seen['seconds']:.0f} s: {seen['solves']} solves, {seen['rate']:.0f} a second")
+    print(f"latency in ms: median {p50:.1f}, 95 %: {p95:.1f}, 99 %: {p99:.1f}, 99.9 %: {p999:.1f}, most {most:.0f}")
+    for name, turn in sorted(seen["turns"].items()):
+        first = f", first: {turn['first']}" if turn["first"] else ""
+        print(f"{name}: {turn['right']} right, {turn['wrong']} wrong, {turn['refused']} refused, {turn['broken']} unanswered{first}")
+        faults += turn["wrong"] + turn["broken"]
+    early, late, grown = growth(memory, words.seconds)
+    print(f"memory: {early:.1f} MB after warm-up, {late:.1f} MB at the end, {grown:+.1f} %")
+    return faults + (grown > MOST_GROWTH)
+
+
+def main():
+    words = argparse.ArgumentParser()
+    words.add_argument("binary")
+    words.add_argument("load")
+    words.add_argument("--clients", type=int, default=64)
+    words.add_argument("--seconds", type=float, default=1800)
+    words.add_argument("--definitions", type=int, default=50)
+    words = words.parse_args()
+    binary = os.path.abspath(words.binary)
+    with tempfile.TemporaryDirectory() as folder:
+        with ThreadPoolExecutor(2) as pool:
+            known = list(pool.map(lambda n: prepared(binary, folder, n, INPUTS), range(words.definitions)))
+        cases = []
+        for algo, expected in known:
+            for value, branches in zip(INPUTS, expected):
+                values = [{"ParamName": "RH_IN:a", "InnerTree": {"0": [{"data": value}]}}]
+                cases.append({"body": json.dumps({"algo": algo, "values": values}), "expected": branches})
+        body = endless(binary, folder)
+        server = Server(binary)
+        try:
+            sys.exit(1 if measure(server, words, folder, cases, body) else 0)
+        finally:
+            server.end()
+
+
+def measure(server, words, folder, cases, body):
+    until(lambda: server.ask("GET", "/healthcheck") == "Healthy", 30)
+    server.ask("POST", "/grasshopper", cases[0]["body"].encode())
+    first = server.descriptors()
+    times = cancelled(server, body.encode())
+    print(f"cancelled until free: median {statistics.median(times):.1f} ms, most {times[-1]:.1f} ms")
+    pids = server.pids()
+    seen, memory = run(server, words.load, folder, cases, body, words)
+    faults = report(seen, memory, words)
+    idle = until(lambda: not server.works(), 30)
+    # Connections between the two processes are kept for a minute and a half.
+    closed = until(lambda: server.descriptors() <= first, 150)
+    print(f"file descriptors: {first} at the start, {server.descriptors()} at the end")
+    health = server.ask("GET", "/healthcheck")
+    same = server.pids() == pids
+    print(f"at the end: {'idle' if idle else 'NOT IDLE'}, {health}, {'the same two processes' if same else 'ANOTHER PROCESS'}")
+    return faults + (not idle) + (not closed) + (health != "Healthy") + (not same)
+
+
+if __name__ == "__main__":
+    main()
