@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
+.PHONY: test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -179,14 +179,23 @@ deny-advisories: $(DENY)
 $(DENY):
 	cargo install cargo-deny --locked --root $(TOOLS)
 
+# The public workflows and issue forms beside their schemas. Not part of `make test`: it fetches them with their checker.
+test-workflows:
+	$(PYTHON) -m venv $(VENV)-workflows
+	$(VENV)-workflows/bin/pip install -q "check-jsonschema>=0.30,<1"
+	$(VENV)-workflows/bin/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+	$(VENV)-workflows/bin/check-jsonschema --builtin-schema vendor.github-issue-forms \
+		$(filter-out %/config.yml,$(wildcard .github/ISSUE_TEMPLATE/*.yml))
+	$(VENV)-workflows/bin/check-jsonschema --builtin-schema vendor.github-issue-config .github/ISSUE_TEMPLATE/config.yml
+
 docs:
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
 
-# Katydid and NumPy over a million items, side by side.
 # The program as it is published, optimised in one piece: target/dist/katydid.
 dist:
 	cargo build --profile dist -p katydid
 
+# Katydid and NumPy over a million items, side by side.
 bench: $(VENV)/installed
 	$(VENV)/bin/pip install -q numpy==2.3.4
 	$(VENV)/bin/python benches/compare.py
@@ -263,4 +272,4 @@ fuzz:
 
 clean:
 	cargo clean
-	rm -rf $(VENV) $(VENV)-step $(VENV)-compute $(VENV)-work
+	rm -rf $(VENV) $(VENV)-step $(VENV)-compute $(VENV)-work $(VENV)-workflows
