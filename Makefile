@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
+.PHONY: front test-front pictures test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
 
 test: test-studio test-rust test-python test-browser
 
@@ -148,6 +148,20 @@ site: wasm
 	studio/with-node npm run build:site
 	$(RELEASED)/katydid book book -o site/learn
 	studio/with-node node $(CURDIR)/wasm/site.mjs $(CURDIR)/site
+
+# The front page of it, with the book and without the engine, in target/front: to look at while it is written.
+front: test-studio programs
+	rm -rf target/front
+	$(BUILT)/katydid book book -o target/front/learn
+	studio/with-node node $(CURDIR)/wasm/front/write.mjs $(CURDIR)/target/front
+
+# That page in Chromium: half a minute, besides what it is built of.
+test-front: front
+	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:front
+
+# The picture of the studio in README.md, taken anew.
+pictures: test-studio programs
+	KATYDID=$(BUILT)/katydid CHROMIUM=$$(studio/chromium) studio/with-node npm run pictures
 
 # That folder in Chromium. Not part of `make test`: it builds the engine.
 test-site: site
