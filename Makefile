@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute soak bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean
+.PHONY: packages packages-test front test-front pictures test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean soak
 
 test: test-studio test-rust test-python test-browser
 
@@ -157,6 +157,20 @@ site: wasm
 	$(RELEASED)/katydid book book -o site/learn
 	studio/with-node node $(CURDIR)/wasm/site.mjs $(CURDIR)/site
 
+# The front page of it, with the book and without the engine, in target/front: to look at while it is written.
+front: test-studio programs
+	rm -rf target/front
+	$(BUILT)/katydid book book -o target/front/learn
+	studio/with-node node $(CURDIR)/wasm/front/write.mjs $(CURDIR)/target/front
+
+# That page in Chromium: half a minute, besides what it is built of.
+test-front: front
+	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:front
+
+# The picture of the studio in README.md, taken anew.
+pictures: test-studio programs
+	KATYDID=$(BUILT)/katydid CHROMIUM=$$(studio/chromium) studio/with-node npm run pictures
+
 # That folder in Chromium. Not part of `make test`: it builds the engine.
 test-site: site
 	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:site
@@ -187,14 +201,32 @@ deny-advisories: $(DENY)
 $(DENY):
 	cargo install cargo-deny --locked --root $(TOOLS)
 
+# The public workflows and issue forms beside their schemas. Not part of `make test`: it fetches them with their checker.
+test-workflows:
+	$(PYTHON) -m venv $(VENV)-workflows
+	$(VENV)-workflows/bin/pip install -q "check-jsonschema>=0.30,<1"
+	$(VENV)-workflows/bin/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+	$(VENV)-workflows/bin/check-jsonschema --builtin-schema vendor.github-issue-forms \
+		$(filter-out %/config.yml,$(wildcard .github/ISSUE_TEMPLATE/*.yml))
+	$(VENV)-workflows/bin/check-jsonschema --builtin-schema vendor.github-issue-config .github/ISSUE_TEMPLATE/config.yml
+
 docs:
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
 
-# Katydid and NumPy over a million items, side by side.
 # The program as it is published, optimised in one piece: target/dist/katydid.
 dist:
 	cargo build --profile dist -p katydid
 
+# Everything that a version needs, in target/packages (docs/releasing.md). `STEPS="deb sums"` makes some of it, and
+# `KATYDID_PROFILE=release` takes a program that is optimised in pieces: half an hour of a processor less.
+packages:
+	$(PYTHON) release packages $(STEPS)
+
+# Each of them in an environment that has nothing else, with the README's example run in it.
+packages-test:
+	$(PYTHON) release test $(STEPS)
+
+# Katydid and NumPy over a million items, side by side.
 bench: $(VENV)/installed
 	$(VENV)/bin/pip install -q numpy==2.3.4
 	$(VENV)/bin/python benches/compare.py
@@ -271,4 +303,4 @@ fuzz:
 
 clean:
 	cargo clean
-	rm -rf $(VENV) $(VENV)-step $(VENV)-compute $(VENV)-work
+	rm -rf $(VENV) $(VENV)-step $(VENV)-compute $(VENV)-work $(VENV)-workflows $(VENV)-packages

@@ -26,24 +26,37 @@ def cargo(*words):
                           universal_newlines=True).stdout
 
 
-def linked():
-    """Names and versions of the crates of the extension module: neither what builds it nor what tests it."""
-    lines = cargo("tree", "--offline", "--locked", "-p", "katydid-python", "-e", "normal", "--prefix", "none",
+def linked(crate):
+    """Names and versions of the crates that one of ours is linked with: neither what builds it nor what tests it."""
+    lines = cargo("tree", "--offline", "--locked", "-p", crate, "-e", "normal", "--prefix", "none",
                   "--format", "{p}").splitlines()
     words = [line.split() for line in lines if line.strip()]
     return {(line[0], line[1].lstrip("v")) for line in words}
 
 
-def packages():
+def packages(crate="katydid-python"):
     """The crates that are not of this workspace, sorted."""
     known = json.loads(cargo("metadata", "--offline", "--locked", "--format-version", "1"))
-    wanted = linked()
+    wanted = linked(crate)
     found = [one for one in known["packages"] if (one["name"], one["version"]) in wanted and one["source"]]
     return sorted(found, key=lambda one: (one["name"], one["version"]))
 
 
+def page():
+    """The npm packages that the studio's page is built of, which the program takes in; none where they are not installed."""
+    with open(os.path.join(ROOT, "studio", "package-lock.json"), encoding="utf-8") as file:
+        locked = json.load(file)["packages"]
+    found = []
+    for path, one in sorted(locked.items()):
+        folder = os.path.join(ROOT, "studio", *path.split("/"))
+        if path and not one.get("dev") and "@types/" not in path and os.path.isdir(folder):
+            found.append({"name": path.split("node_modules/")[-1], "version": one["version"], "source": "npm",
+                          "license": one.get("license"), "authors": [], "manifest_path": os.path.join(folder, "package.json")})
+    return found
+
+
 def texts(package):
-    """The texts of a crate's archive, by the names of their files."""
+    """The texts of a package's archive, by the names of their files."""
     folder = os.path.dirname(package["manifest_path"])
     found = {}
     for name in sorted(os.listdir(folder)):
@@ -54,10 +67,12 @@ def texts(package):
     return found
 
 
-def document(found):
-    """The whole text: the crates with their licences, then each text once with the crates that have it."""
-    parts = ["Katydid's extension module is linked with the crates below. Their licences follow.", ""]
+def document(what, crates, npm=()):
+    """The whole text: the packages with their licences, then each text once with the packages that have it."""
+    parts = ["Katydid's %s is linked with the crates below%s. Their licences follow."
+             % (what, ", and its page is built of the npm packages after them" if npm else ""), ""]
     holders = {}
+    found = [*crates, *npm]
     for one in found:
         licence = one["license"] or "see its text"
         own = texts(one)
@@ -68,7 +83,8 @@ def document(found):
                 own = {"LICENSE-APACHE": file.read().strip()}
         if not own:
             # Of the same authors under the same licence: the text of their other crate is the one.
-            kin = (texts(other) for other in found if (other["authors"], other["license"]) == (one["authors"], licence))
+            kin = (texts(other) for other in found
+                   if one["authors"] and (other["authors"], other["license"]) == (one["authors"], licence))
             own = next((text for text in kin if text), {})
         parts.append("%s %s: %s%s" % (one["name"], one["version"], licence, note))
         for text in own.values():
@@ -80,12 +96,12 @@ def document(found):
 
 def main():
     target = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "python", "katydid", "THIRD-PARTY")
-    found = packages()
+    found, npm = packages(), page()
     with open(target, "w", encoding="utf-8") as file:
-        file.write(document(found))
+        file.write(document("extension module", found, npm))
     for name in OWN:
         shutil.copyfile(os.path.join(ROOT, name), os.path.join(os.path.dirname(os.path.abspath(target)), name))
-    print("%s: %d crates" % (target, len(found)))
+    print("%s: %d crates, %d npm packages" % (target, len(found), len(npm)))
 
 
 if __name__ == "__main__":

@@ -1,9 +1,10 @@
-// What the site has besides the page: pictures of the gallery's definitions, the book's way to the engine, and the worker that keeps all of it for when
+// What the site has besides the page: the front page, pictures of the gallery's definitions, the book's way to the engine, and the worker that keeps all of it for when
 // there is no network. `node wasm/site.mjs FOLDER`, after the page was built into the folder.
 import { createHash } from "node:crypto";
 import { mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { join, relative, sep } from "node:path";
 
+import { writeFront } from "./front/write.mjs";
 import { init, raw } from "./index.js";
 
 const folder = process.argv[2];
@@ -25,6 +26,8 @@ for (const entry of await readdir(book, { withFileTypes: true }).catch(() => [])
   await mkdir(parts);
   await writeFile(join(parts, "learn.js"), 'import "../../../assets/learn.js";\n');
 }
+
+await writeFront(folder);
 
 const files = (await readdir(folder, { recursive: true, withFileTypes: true }))
   .filter((entry) => entry.isFile() && entry.name !== "sw.js")

@@ -20,8 +20,9 @@ def test_every_crate_is_named_and_has_a_text():
     names = {one["name"] for one in found}
     # What the module cannot be without is there; what is ours, builds or tests only is not.
     assert {"pyo3", "uuid", "serde_json"} <= names and not names & {"katydid-geometry", "proptest", "pyo3-build-config"}
-    text = module.document(found)
-    for one in found:
+    npm = module.page()
+    text = module.document("extension module", found, npm)
+    for one in [*found, *npm]:
         assert "\n%s %s: " % (one["name"], one["version"]) in text, one["name"]
         own = module.texts(one)
         # Nothing but a name is no text.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::effects::EffectsArgs;
+use crate::manual::{CompletionsArgs, ManArgs};
 use crate::mcp::McpArgs;
 use crate::optimise::OptimiseArgs;
 use crate::scripts::{ScriptArgs, StudioScriptArgs};
@@ -79,6 +80,10 @@ pub(crate) enum Command {
     Trust(TrustArgs),
     /// The packages that the Python scripts of definitions use
     Python(PythonArgs),
+    /// Print what a shell needs to complete the words of this program
+    Completions(CompletionsArgs),
+    /// Write the manual pages of all commands into a folder
+    Man(ManArgs),
     /// Answer the calls of a script's process: members of RhinoCommon, by name, in the form of katydid-members' codec
     #[command(hide = true)]
     Members(MembersArgs),

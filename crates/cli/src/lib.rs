@@ -13,6 +13,7 @@ mod effects;
 mod explain;
 mod fmt;
 mod info;
+mod manual;
 mod mcp;
 mod members;
 mod model_file;
@@ -75,6 +76,8 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::Mcp(args) => mcp::mcp(args),
         Command::Trust(args) => scripts::trust(args),
         Command::Python(args) => python::python(args),
+        Command::Completions(args) => manual::completions(args),
+        Command::Man(args) => manual::man(args),
         Command::Members(args) => members::members(args),
     };
     // What was to be printed and was not is an error, whatever else went well.

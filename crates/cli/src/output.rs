@@ -76,7 +76,8 @@ pub(crate) fn write_file_with(
     file.finish().map_err(|error| failed(path, &error))
 }
 
-fn failed(path: &Path, error: &std::io::Error) -> String {
+/// What failed, with the file.
+pub(crate) fn failed(path: &Path, error: &std::io::Error) -> String {
     format!("{}: {}", path.display(), crate::source::plain(error))
 }
 

@@ -28,7 +28,7 @@ const test = plain.extend<{ watched: undefined; excused: RegExp[] }>({
 const TEXT = "katydid 1\nr = Number Slider(6.0, 1..20)\nc = Circle(_, r)\nd = Divide Curve(c, 12)\n";
 
 async function openText(page: Page, text = TEXT): Promise<void> {
-  await page.goto("/");
+  await page.goto("/studio.html");
   await page.locator("input[type=file]").setInputFiles({ name: "circle.kd", mimeType: "text/plain", buffer: Buffer.from(text) });
   await onWorkbench(page);
 }
@@ -82,7 +82,7 @@ test("what another window left is offered again", async ({ context, page }) => {
 });
 
 test("a definition of the gallery opens, and the player shows it", async ({ page }, info) => {
-  await page.goto("/");
+  await page.goto("/studio.html");
   const tile = page.getByRole("main").getByRole("button", { name: /Twisted tower/ }).first();
   await expect(tile).toBeVisible();
   await page.screenshot({ path: info.outputPath("start.png") });
@@ -144,7 +144,7 @@ test("help and search know the components", async ({ page }) => {
 });
 
 test("it works without a network once it was seen", async ({ context, page }) => {
-  await page.goto("/");
+  await page.goto("/studio.html");
   await page.evaluate(async () => {
     await navigator.serviceWorker.ready;
   });

@@ -101,7 +101,7 @@ export class Ways implements Transport {
   }
 
   async studio(name: string, text: string): Promise<string | undefined> {
-    const studio = new URL(`${page.root}../`, location.href);
+    const studio = new URL(`${page.root}../studio.html`, location.href);
     return await addressOf(studio.href, name, new TextEncoder().encode(text));
   }
 }
