@@ -50,7 +50,7 @@ fn at_an_end_of_the_range_the_other_side_tells() {
 #[test]
 fn what_changes_its_count_is_named_and_what_is_hidden_left_out() {
     // The count jumps where the slider stands.
-    let text = "x = Number Slider(3.0, 0.0..9.0)\nn = Floor(x)\nk = Series(0, 1, n)\np = Construct Point(k, x, 0)\n\
+    let text = "x = Number Slider(3.0, 0.0..9.0)\nn = Expression(\"Floor(x)\", x = x)\nk = Series(0, 1, n)\np = Construct Point(k, x, 0)\n\
         q = Construct Point(x, x, 0)\n";
     let (found, left_out) = arrows(text, "x");
     assert_eq!((found.len(), left_out), (1, 1));
@@ -61,7 +61,7 @@ fn one_item_of_a_branch_is_asked_for() {
     let engine =
         solved("r = Number Slider(2.0, 0.0..9.0)\nk = Series(0, r, 4)\np = Construct Point(k, 1, 0)\n");
     let document = engine.document();
-    let output = Output::find(document, "p").unwrap().only("{0}".parse::<Path>().unwrap(), 3);
+    let output = Output::find(document, "p").unwrap().only("{0;0}".parse::<Path>().unwrap(), 3);
     let none = Output::find(document, "p").unwrap().only("{7}".parse::<Path>().unwrap(), 0);
     assert_eq!(none.tree(&engine).item_count(), 0);
     let variable = Variable::find(document, "r").unwrap();
