@@ -33,7 +33,7 @@ use tokio::task::JoinHandle;
 use tokio::time::timeout;
 
 use super::refusal::Refusal;
-use answered::Answered;
+use answered::{Answered, wants_processor};
 use process::{Place, Process, keep};
 use processors::Processors;
 
@@ -101,9 +101,12 @@ impl Behind {
         self.at.borrow().is_some()
     }
 
-    /// How long ago it last answered anything.
-    pub(crate) fn silence(&self) -> Duration {
-        self.answered.since()
+    /// Whether it is only slow to answer whoever has just waited so long in vain: it has answered somebody meanwhile, or
+    /// gets no processor, and that not for too long.
+    pub(crate) fn is_slow(&self, waited: Duration) -> bool {
+        const TOO_LONG: Duration = Duration::from_secs(30);
+        let waits = || self.at.borrow().and_then(|at| at.process).is_some_and(wants_processor);
+        self.answered.since() < waited || (self.answered.missed() < TOO_LONG && waits())
     }
 
     /// Notes that something quick was answered in front: as long as that goes on, the process behind leaves a

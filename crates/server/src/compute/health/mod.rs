@@ -78,7 +78,7 @@ async fn other(behind: Option<&Behind>) -> Health {
     match timeout(BEHIND, behind.text("/healthcheck")).await {
         Ok(Some(text)) => Health::read(&text),
         // It has a lower priority: where others take all processors, it is slow to answer, and still does.
-        _ if behind.silence() < BEHIND => Health::Busy("the second process answers slowly".to_owned()),
+        _ if behind.is_slow(BEHIND) => Health::Busy("the second process answers slowly".to_owned()),
         _ => Health::unhealthy("processes", "the second one does not answer"),
     }
 }
