@@ -1,6 +1,7 @@
 //! The operations, each with the law that its result is held to.
 
 use katydid_3dm::{Limits, Model, Object};
+use katydid_geometry::brep::{FilletBlend, FilletRail};
 use katydid_geometry::construct::{box_brep, offset_surface};
 use katydid_geometry::intersect::{curve_with_surface, surface_with_surface};
 use katydid_geometry::{
@@ -51,7 +52,7 @@ type Outcome = Result<(), Fault>;
 /// The name, the law in words, and what is run.
 pub(crate) type Operation = (&'static str, &'static str, fn(&Subject) -> Outcome);
 
-pub(crate) const OPERATIONS: [Operation; 15] = [
+pub(crate) const OPERATIONS: [Operation; 18] = [
     ("evaluate", "the normal is at right angles to both partial derivatives", evaluate),
     ("closest point", "of a point beside the surface it is the foot of its normal", closest_point),
     (
@@ -65,6 +66,17 @@ pub(crate) const OPERATIONS: [Operation; 15] = [
     ("offset", "the surface beside it is everywhere at the distance", offset),
     ("split", "the parts of the solid on both sides of a plane have its area together", split),
     ("boolean", "the solid outside and inside of a box have its volume together", boolean),
+    (
+        "unite with a copy",
+        "what a copy beside it has in common with the solid is counted once in the volume",
+        unite,
+    ),
+    (
+        "round an edge",
+        "the first edge that can be rounded takes some of the volume and leaves a solid",
+        round,
+    ),
+    ("unroll", "the flat pattern has the surface's area", unroll),
     ("mesh", "the mesh of the solid has its area, within half of a hundredth", mesh),
     ("area", "the same as in the form of NURBS", area),
     ("volume", "moved away from the origin it is the same", volume),
@@ -206,6 +218,50 @@ fn boolean(subject: &Subject) -> Outcome {
         sum += volume_of(&part.brep)?;
     }
     Ok(near(sum, volume_of(&subject.solid)?, 1e-5, "volume outside and inside")?)
+}
+
+fn unite(subject: &Subject) -> Outcome {
+    let copy =
+        subject.solid.transformed(&katydid_geometry::Xform::translation(Vector3::new(0.41, 0.33, 0.27)))?;
+    let (solids, copies) = ([subject.solid.clone()], [copy.clone()]);
+    let mut whole = 0.0;
+    for part in Brep::union(&[subject.solid.clone(), copy], &subject.tolerance)? {
+        whole += volume_of(&part.brep)?;
+    }
+    for part in Brep::intersection(&solids, &copies, &subject.tolerance)? {
+        whole += volume_of(&part.brep)?;
+    }
+    Ok(near(whole, 2.0 * volume_of(&subject.solid)?, 1e-5, "volume of both")?)
+}
+
+fn round(subject: &Subject) -> Outcome {
+    let mut refused = "it has no edge".to_owned();
+    for edge in 0..subject.solid.edges().len() {
+        match subject.solid.filleted(
+            &[(edge, 0.1)],
+            FilletBlend::Arc,
+            FilletRail::RollingBall,
+            &subject.tolerance,
+        ) {
+            Ok(rounded) => {
+                let (before, after) = (volume_of(&subject.solid)?, volume_of(&rounded)?);
+                if !rounded.is_solid() || after >= before || after < 0.9 * before {
+                    return Err(Fault::Wrong(format!("a volume of {before} becomes {after}")));
+                }
+                return Ok(());
+            }
+            Err(error) => refused = error.to_string(),
+        }
+    }
+    Err(Fault::Refused(refused))
+}
+
+fn unroll(subject: &Subject) -> Outcome {
+    let flat = Brep::from_surface(subject.surface.clone())?.unrolled_face(0, &subject.tolerance)?;
+    if flat.vertices().iter().any(|corner| corner.point.z.abs() > 1e-9) {
+        return Err(Fault::Wrong("the pattern is not flat".to_owned()));
+    }
+    Ok(near(area_of(&flat)?, subject.surface.area()?.area, 1e-4, "area of the pattern")?)
 }
 
 fn mesh(subject: &Subject) -> Outcome {
