@@ -49,3 +49,19 @@ def test_links_lead_somewhere(text):
         elif anchor and target.suffix == ".md" and anchor not in anchors(target.read_text(encoding="utf-8")):
             wrong.append(link)
     assert not wrong, f"{text.relative_to(ROOT)}: {wrong}"
+
+
+def test_the_walk_through_the_code_names_files_that_are_there():
+    text = (ROOT / "docs" / "a-day-in-the-code.md").read_text(encoding="utf-8")
+    named = re.findall(r"`((?:crates|studio|wasm|examples)/[^`\s]+)`", text)
+    assert len(named) > 25
+    assert not [name for name in named if not (ROOT / name).is_file()]
+
+
+def test_decisions_are_numbered_and_listed():
+    files = sorted((ROOT / "docs" / "decisions").glob("*.md"))
+    listed = re.findall(r"\]\(docs/decisions/([^)#]+)\)", (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8").split("## Decisions")[1])
+    assert [file.name for file in files] == listed
+    for number, file in enumerate(files, 1):
+        assert file.name.startswith(f"{number:04d}-")
+        assert file.read_text(encoding="utf-8").startswith(f"# {number}. ")

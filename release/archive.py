@@ -14,7 +14,7 @@ TEXTS = ("README.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT")
 
 def files():
     """What is in it: names, bytes and whether it is run."""
-    beside = program.BESIDE
+    beside = program.written()
     yield f"katydid{EXE}", program.made().read_bytes(), True
     for name in TEXTS:
         yield name, (ROOT / name).read_bytes(), False

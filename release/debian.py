@@ -57,7 +57,7 @@ def lay_out(root):
     shutil.copyfile(program.made(), binary)
     told("strip", binary)
     binary.chmod(0o755)
-    for page in (program.BESIDE / "man").iterdir():
+    for page in (program.written() / "man").iterdir():
         packed(shares / f"man/man1/{page.name}.gz", page.read_text(encoding="utf-8"))
     places = {"katydid.bash": "bash-completion/completions/katydid", "_katydid": "zsh/vendor-completions/_katydid",
               "katydid.fish": "fish/vendor_completions.d/katydid.fish"}

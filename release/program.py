@@ -36,6 +36,11 @@ def make():
     return []
 
 
+def written():
+    """Where the manual pages and completions are; they are written where they are not."""
+    return BESIDE if BESIDE.exists() else beside()
+
+
 def beside():
     """The manual pages and completions, written by the program itself."""
     shutil.rmtree(BESIDE, ignore_errors=True)

@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import subprocess
 import tarfile
 
@@ -47,7 +46,8 @@ def run(folder):
         f'[package]\nname = "trial"\nversion = "0.0.0"\nedition = "2024"\n\n[dependencies]\nserde_json = "1"\n{needs}\n'
         f"[patch.crates-io]\n{patches}\n[profile.dev]\ndebug = false\nincremental = false\n", encoding="utf-8")
     # The same versions of other people's crates as here: they were fetched already.
-    lock = re.sub(r'\[\[package\]\]\nname = "katydid[^[]*', "", (ROOT / "Cargo.lock").read_text(encoding="utf-8"))
+    head, *blocks = (ROOT / "Cargo.lock").read_text(encoding="utf-8").split("[[package]]\n")
+    lock = "[[package]]\n".join([head, *(block for block in blocks if not block.startswith('name = "katydid'))])
     (package / "Cargo.lock").write_text(lock, encoding="utf-8")
     given = {name: value for name, value in os.environ.items() if name not in ("CARGO_TARGET_DIR", "RUSTFLAGS")}
     # What is built is kept for the next time, outside of the folder that goes away.

@@ -11,7 +11,7 @@ from place import ROOT, only, told
 #: What the README's lines leave: the radii, and what was written.
 AFTER = """
 import pathlib, sys
-print([circle.circle().radius if hasattr(circle, "circle") else circle.length / 6.283185307179586 for circle in r["Circles"].flat()])
+print([circle.length / 6.283185307179586 for circle in r["Circles"].flat()])
 assert pathlib.Path("attractor.3dm").stat().st_size > 1000
 assert "site-packages" in katydid.__file__, katydid.__file__
 """

@@ -16,8 +16,10 @@ const GALLERY = [
   ["N5", "two", "Two knot vectors, two curves"],
   ["S1", "first", "Points of a circle, lifted one above the other"],
   ["M7", "six", "The six shears of a cube"],
-  ["C3", "bezier", "Two Bézier curves share a point"],
 ];
+
+/** The definition that README.md begins with. */
+const EXAMPLE = `<a href="studio.html"><div class="stage"><img src="attractor.svg" alt="" loading="lazy"></div><span>Circles on a grid, larger the nearer they are to a point: examples/attractor.ghx</span></a>`;
 
 /** A page of the book, with the ways in it made those of the site's root. */
 async function bookPage(folder, page) {
@@ -82,7 +84,7 @@ async function gallery(folder) {
     const still = stage[0].replaceAll(/ alt="[^"]*"/g, ' alt=""');
     return `<a href="learn/${page}/index.html#${id}">${still}<span>${escaped(what)}</span></a>`;
   });
-  return (await Promise.all(tiles)).join("\n");
+  return [EXAMPLE, ...(await Promise.all(tiles))].join("\n");
 }
 
 /** The page and its sheet, by their names in the site. */

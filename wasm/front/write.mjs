@@ -12,6 +12,7 @@ export async function writeFront(folder) {
     if (error.code !== "ENOENT") throw error;
   });
   for (const [name, text] of Object.entries(await frontPage(folder))) await writeFile(join(folder, name), text);
+  await copyFile(new URL("../../docs/attractor.svg", import.meta.url), join(folder, "attractor.svg"));
   await copyFile(new URL("../../studio/public/icon.svg", import.meta.url), join(folder, "icon.svg"));
 }
 

@@ -45,7 +45,8 @@ fn pages(command: &Command, folder: &Path) -> Result<(), String> {
     let mut page = Vec::new();
     Man::new(command.clone()).render(&mut page).map_err(|error| failed(&path, &error))?;
     write_file(&path, &page)?;
-    let mut shown = command.get_subcommands().filter(|below| !below.is_hide_set() && below.get_name() != "help");
+    let mut shown =
+        command.get_subcommands().filter(|below| !below.is_hide_set() && below.get_name() != "help");
     shown.try_for_each(|below| pages(below, folder))
 }
 

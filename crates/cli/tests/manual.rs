@@ -6,11 +6,16 @@ mod common;
 
 use std::collections::BTreeSet;
 
-use common::{katydid, said, text};
+use common::{katydid, text};
+
+/// What was printed on standard output.
+fn printed(output: &std::process::Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
 
 /// The commands as `katydid --help` lists them.
 fn commands() -> BTreeSet<String> {
-    let help = said(&katydid(&["--help"]));
+    let help = printed(&katydid(&["--help"]));
     let list = help.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
     let names: BTreeSet<String> = list
         .lines()
@@ -47,7 +52,7 @@ fn shells_complete_every_command() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = katydid(&["completions", shell]);
         assert_eq!(script.status.code(), Some(0), "{shell}");
-        let script = said(&script);
+        let script = printed(&script);
         for name in commands() {
             assert!(script.contains(&name), "{shell} does not know {name}");
         }
