@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: packages packages-test front test-front pictures test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean soak
+.PHONY: packages packages-test front test-front pictures test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean soak test-studies measure-studies
 
 test: test-studio test-rust test-python test-browser
 
@@ -41,7 +41,7 @@ wheel: $(VENV)/installed third-party
 # Scripts of real definitions are run where the shared data is there.
 test-python: $(VENV)/installed module
 	KATYDID_TEST_DEFINITIONS=$(wildcard $(abspath ../shared/data/gh)) KATYDID_REQUIRE_MODULE=1 KATYDID=$(BUILT)/katydid KATYDID_EXAMPLES=$(BUILT)/examples $(VENV)/bin/python -m pytest -q -n auto \
-		--ignore=python-tests/step --ignore=python-tests/compute --ignore=python-tests/assistant python-tests --ignore=python/tests/ladybug python/tests \
+		--ignore=python-tests/step --ignore=python-tests/compute --ignore=python-tests/assistant python-tests --ignore=python/tests/ladybug --ignore=python/tests/studies python/tests \
 		$(addprefix crates/rhino3dm/tests/,rhino3dm_peer.py tables_peer.py solids_peer.py)
 
 # What Open CASCADE makes of the STEP files that Katydid writes. Not part of `make test`: it is more than a gigabyte.
@@ -72,6 +72,25 @@ test-compute: $(VENV)-compute/installed
 $(VENV)-compute/installed: python-tests/compute/requirements.txt
 	$(PYTHON) -m venv $(VENV)-compute
 	$(VENV)-compute/bin/pip install -q -r python-tests/compute/requirements.txt
+	touch $@
+
+# Studies on Ray and Dask, under pymoo, cma and Optuna, under kills and full disks. Not part of `make test`: it fetches those
+# packages, and solves tens of thousands of points.
+test-studies: $(VENV)-studies/installed studies-release
+	KATYDID=$(RELEASED)/katydid $(VENV)-studies/bin/python -m pytest -q -s python/tests/studies
+
+# What studies take: seconds for one and two workers, memory and time over a million points. Two processors must be free.
+measure-studies: $(VENV)-studies/installed studies-release
+	$(VENV)-studies/bin/python python/tests/studies/measure.py $(RELEASED)/katydid
+
+.PHONY: studies-release
+studies-release:
+	cargo build --release -p katydid -p katydid-python
+	cp $(RELEASED)/lib_katydid$(if $(filter Darwin,$(shell uname)),.dylib,.so) python/katydid/_katydid.abi3.so
+
+$(VENV)-studies/installed: python/tests/studies/requirements.txt
+	$(PYTHON) -m venv $(VENV)-studies
+	$(VENV)-studies/bin/pip install -q -r python/tests/studies/requirements.txt
 	touch $@
 
 # Effects on the volume and area of solids: half a minute, so no part of `make test`; run it after a change of effects.
@@ -303,4 +322,4 @@ fuzz:
 
 clean:
 	cargo clean
-	rm -rf $(VENV) $(VENV)-step $(VENV)-compute $(VENV)-work $(VENV)-workflows $(VENV)-packages
+	rm -rf $(VENV) $(VENV)-step $(VENV)-compute $(VENV)-work $(VENV)-workflows $(VENV)-packages $(VENV)-studies

@@ -4,6 +4,7 @@
     d = katydid.open("facade.gh")
     r = d.solve(height=3.2)
     r["Area"].item
+    katydid.study("facade.gh", "plan.json").run()
 
 `help(katydid.Definition)`, `help(katydid.Curve)` and so on tell what there is. `katydid.rhino.install()` makes
 `import Rhino`, `rhinoscriptsyntax` and the rest work in a notebook or a program.
@@ -15,7 +16,7 @@ def __getattr__(name):
     if name.startswith("_"):
         raise AttributeError(name)
     import importlib
-    if name in ("rhino", "interop", "notebook", "backend"):
+    if name in ("rhino", "interop", "notebook", "backend", "studies"):
         return importlib.import_module("." + name, __name__)
     try:
         api = importlib.import_module(".api", __name__)

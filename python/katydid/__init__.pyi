@@ -1,6 +1,6 @@
 from typing import Any, Optional
 
-from . import backend as backend, interop as interop, notebook as notebook, rhino as rhino
+from . import backend as backend, interop as interop, notebook as notebook, rhino as rhino, studies as studies
 from ._katydid import (
     BoundingBox as BoundingBox, Box as Box, Brep as Brep, Change as Change, Colour as Colour, Curve as Curve,
     Definition as Definition, FileError as FileError, GeometryError as GeometryError, Input as Input,
@@ -13,6 +13,7 @@ from ._katydid import (
 from .interop import (
     from_compas as from_compas, from_rhino3dm as from_rhino3dm, from_trimesh as from_trimesh, to_compas as to_compas,
     to_rhino3dm as to_rhino3dm, to_trimesh as to_trimesh)
+from .studies import study as study
 
 def open(path: StrPath, *, allow_scripts: bool = False, python: Optional[StrPath] = None) -> Definition: ...
 def from_json(form: str) -> Any: ...

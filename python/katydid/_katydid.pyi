@@ -5,6 +5,9 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Union
 
 StrPath = Union[str, "os.PathLike[str]"]
+_Counts = tuple[int, int, int, int, float]
+_Summed = tuple[_Counts, int, list[StrPath]]
+_Columns = tuple[list[Any], list[Any], list[str], list[str]]
 #: A NumPy array where NumPy is installed, else a list.
 Array = Any
 ArrayLike = Any
@@ -541,6 +544,10 @@ class Definition:
     @property
     def outputs(self) -> list[Output]:
         """What it gives: what is marked as output, or, where nothing is, what no wire leads on from."""
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether `set` has changed it since it was opened."""
 
     @property
     def problems(self) -> list[str]:
@@ -1081,6 +1088,90 @@ class Solution:
         .stl, .ply, .glb, .gltf or .svg. Gives what the form cannot hold, in words."""
 
     def __repr__(self) -> str: ...
+
+class StudyCore:
+    """A definition, a plan and a folder: the part of a study that is not Python's. Use it through `katydid.study`."""
+
+    def __init__(self, words: Sequence[StrPath], *, points: bool = True) -> None:
+        """Opens what the words of `katydid sweep` name. Without `points` the plan only names inputs and outputs."""
+
+    @property
+    def points(self) -> int:
+        """How many points the plan has."""
+
+    @property
+    def inputs(self) -> list[tuple[str, tuple[float, float] | None, float | None, list[Any] | None]]:
+        """The inputs."""
+
+    @property
+    def outputs(self) -> list[str]:
+        """The names of the outputs."""
+
+    @property
+    def files(self) -> tuple[StrPath, StrPath | None, StrPath]:
+        """The files that the study stands on: the definition, the model or None, the plan."""
+
+    @property
+    def seconds(self) -> float | None:
+        """How many seconds a point may take."""
+
+    def sweep(self, workers: int | None = None, progress: Callable[[_Counts], object] | None = None) -> _Summed:
+        """Solves the points of the plan on this machine, as `katydid sweep` does; `progress` is called with counts now and then."""
+
+    def open(self) -> None:
+        """Begins to hand out points."""
+
+    def close(self) -> None:
+        """Lets others work on the study."""
+
+    def next_points(self, most: int) -> list[bytes]:
+        """The next points of the plan that are to be solved, at most so many."""
+
+    def keep(self, records: bytes, files: Sequence[tuple[str, bytes]]) -> int:
+        """Takes what a `StudySolver` gave; gives how many points were new."""
+
+    def give_up(self, point: bytes, reason: str, seconds: float) -> None:
+        """Records that a point cannot be solved, and why."""
+
+    def progress(self) -> _Counts:
+        """Counts, as `progress` is called with."""
+
+    def finish(self) -> _Summed:
+        """Writes the tables of the plan."""
+
+    def finish_asked(self) -> _Summed:
+        """Writes the tables of the points that were asked for."""
+
+    def fitted(self, points: Sequence[Sequence[Any]]) -> list[bytes]:
+        """Points that a program asks for, each a sequence of values in the order of the inputs, as the inputs round them."""
+
+    def ask(self, points: Sequence[bytes]) -> list[bytes]:
+        """Asks for points, as `fitted` gives them; gives those that are to be solved."""
+
+    def asked(self) -> int:
+        """How many different points were asked for."""
+
+    def solve(self, points: Sequence[bytes], workers: int | None = None) -> None:
+        """Solves points that were asked for on this machine."""
+
+    def rows(self, points: Sequence[bytes]) -> _Columns:
+        """The columns of points that are solved."""
+
+    def plan_rows(self) -> _Columns:
+        """The columns of the plan's points."""
+
+    def asked_rows(self) -> _Columns:
+        """The columns of the points that were asked for."""
+
+class StudySolver:
+    """A definition that is prepared once, in a process of its own, and solves the points of a study that it is given."""
+
+    def __init__(self, words: Sequence[StrPath], files: tuple[StrPath, StrPath | None, StrPath] | None, inputs: Sequence[str]) -> None:
+        """Opens the definition that the words of `katydid sweep` name; its files lie where `files` says: the definition, the model
+        or None, the plan. The inputs are those of these names."""
+
+    def solve(self, points: Sequence[bytes]) -> tuple[bytes, list[tuple[str, bytes]]]:
+        """Solves points; gives their records, and their pictures and geometry by the names of the files."""
 
 class SubD:
     """A subdivision surface (Catmull-Clark) by its control net, with creases."""

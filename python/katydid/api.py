@@ -5,13 +5,14 @@ from ._katydid import *  # noqa: F401,F403
 from ._katydid import Definition
 from .interop import (from_compas, from_rhino3dm, from_trimesh, to_compas, to_rhino3dm,  # noqa: F401
                       to_trimesh)
+from .studies.study import study  # noqa: F401
 
 #: What the package needs of the module for itself.
-_INNER = {"Host", "run_command", "rebuild", "geometry_glb", "geometry_picture"}
+_INNER = {"Host", "StudyCore", "StudySolver", "run_command", "rebuild", "geometry_glb", "geometry_picture"}
 
 __all__ = sorted({name for name in dir(_katydid) if not name.startswith("_")} - _INNER) + [
     "open", "from_json", "picture", "to_glb", "from_rhino3dm", "to_rhino3dm", "from_compas", "to_compas",
-    "from_trimesh", "to_trimesh"]
+    "from_trimesh", "to_trimesh", "study"]
 
 
 def open(path, *, allow_scripts=False, python=None):

@@ -61,7 +61,7 @@ pub(crate) enum Command {
     /// Make a picture of what a definition shows, or of the definition itself
     View(ViewArgs),
     /// Solve a definition at many points, into a table: grids, samples, rows of a file
-    Sweep(SweepArgs),
+    Sweep(Box<SweepArgs>),
     /// Tell which inputs move a number: here, with derivatives, and over their whole ranges, with shares
     Effects(EffectsArgs),
     /// Find the inputs that make outputs small or large (CMA-ES, NSGA-II), or what a Galapagos object asks for

@@ -33,6 +33,8 @@ mod solve_for;
 mod source;
 mod studio;
 mod sweep;
+mod sweep_call;
+mod sweep_ray;
 mod ticks;
 mod view;
 mod web_args;
@@ -42,6 +44,7 @@ use std::ffi::OsString;
 use clap::Parser;
 
 pub use program::Program;
+pub use sweep_call::{CallFiles, SweepCall};
 
 use crate::args::{Command, Katydid};
 
@@ -67,7 +70,7 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::Components(args) => components::components(args),
         Command::View(args) => view::view(args),
         Command::Book(args) => book::book(args),
-        Command::Sweep(args) => sweep::sweep(args),
+        Command::Sweep(args) => sweep::sweep(args, program),
         Command::Effects(args) => effects::effects(args),
         Command::Optimise(args) => optimise::optimise(args),
         Command::SolveFor(args) => solve_for::solve_for(args),

@@ -8,6 +8,8 @@ use katydid_server::compute::Command;
 pub struct Program {
     file: Result<PathBuf, String>,
     words: Vec<OsString>,
+    /// Whether the file is a Python interpreter that has the command for a module.
+    is_python: bool,
 }
 
 impl Program {
@@ -19,12 +21,12 @@ impl Program {
         } else {
             std::env::current_exe().map_err(|error| format!("where the program is cannot be told: {error}"))
         };
-        Self { file, words }
+        Self { file, words, is_python: false }
     }
 
-    /// Another program that runs the command with these words: Python with `-m katydid`, say.
-    pub fn other(file: PathBuf, words: Vec<OsString>) -> Self {
-        Self { file: Ok(file), words }
+    /// A Python interpreter that runs the command with these words: `-m katydid` and so on.
+    pub fn python_with(file: PathBuf, words: Vec<OsString>) -> Self {
+        Self { file: Ok(file), words, is_python: true }
     }
 
     /// The call with one more word.
@@ -32,5 +34,15 @@ impl Program {
         let mut words = self.words.clone();
         words.push(word.into());
         Ok(Command { program: self.file.clone()?, words })
+    }
+
+    /// The Python interpreter, where it is one that runs the command.
+    pub(crate) fn python(&self) -> Option<PathBuf> {
+        self.file.clone().ok().filter(|_| self.is_python)
+    }
+
+    /// The words behind `sweep`, without `--ray` and its address.
+    pub(crate) fn words_of_sweep(&self) -> Vec<OsString> {
+        crate::sweep_ray::without_ray(&self.words)
     }
 }

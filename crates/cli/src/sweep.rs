@@ -5,13 +5,12 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use katydid_component::Cancel;
-use katydid_study::thresholds::POINT_TIME;
-use katydid_study::{Plan, PlanFile, Progress, Settings, sweep as solve_all};
+use katydid_study::{Plan, Progress, sweep as solve_all};
 
 use crate::args::DefinitionArgs;
 use crate::output::{GREEN, YELLOW, note};
-use crate::{open, progress, source, ticks};
+use crate::sweep_call::SweepCall;
+use crate::{Program, progress, source, sweep_ray, ticks};
 
 /// The line changes at most this often.
 const PAUSE: Duration = Duration::from_millis(200);
@@ -26,54 +25,40 @@ The exit code is 0 when every point has results, 1 when some have none (failed.c
 opened or written or the call was wrong.")]
 pub(crate) struct SweepArgs {
     #[command(flatten)]
-    definition: DefinitionArgs,
+    pub(crate) definition: DefinitionArgs,
 
     /// Which points: a .json file
     #[arg(long, value_name = "PLAN")]
-    plan: PathBuf,
+    pub(crate) plan: PathBuf,
 
     /// The folder of the study
     #[arg(short, long = "output", value_name = "FOLDER")]
-    output: PathBuf,
+    pub(crate) output: PathBuf,
 
     /// How many points are solved side by side; as many as the machine has processors when not given
     #[arg(long, value_name = "N")]
-    workers: Option<usize>,
+    pub(crate) workers: Option<usize>,
 
     /// The most bytes that a point may take; when not given, 4 GiB and 1 GiB for each object
     #[arg(long, value_name = "N")]
-    limit_bytes: Option<u64>,
+    pub(crate) limit_bytes: Option<u64>,
 
     /// Solve points again that failed before
     #[arg(long)]
-    retry: bool,
+    pub(crate) retry: bool,
+
+    /// Solve the points on a Ray cluster, through the Python package: its address, as 10.0.0.5:6379 or ray://10.0.0.5:10001;
+    /// auto for the cluster that this machine belongs to, local for one that is started for this
+    #[arg(long, value_name = "ADDRESS")]
+    pub(crate) ray: Option<String>,
 }
 
-pub(crate) fn sweep(args: &SweepArgs) -> Result<u8, String> {
-    if args.definition.ticks.is_some() {
-        return Err("--ticks: a sweep solves each point once; runs in time are not supported".to_owned());
+pub(crate) fn sweep(args: &SweepArgs, program: &Program) -> Result<u8, String> {
+    if let Some(address) = &args.ray {
+        return sweep_ray::sweep(args, address, program);
     }
-    if args.workers == Some(0) {
-        return Err("--workers must be at least 1".to_owned());
-    }
-    let file = PlanFile::read(&args.plan).map_err(|error| error.to_string())?;
-    let mut session = open::session(&args.definition)?;
-    let options = session.options_mut();
-    options.progress = None;
-    options.limits.time = options.limits.time.or(Some(POINT_TIME));
-    if let Some(bytes) = args.limit_bytes {
-        options.limits = options.limits.with_bytes(bytes);
-    }
-    let options = options.clone();
-    let document = session.document().clone();
-    let plan = Plan::bind(&file, &document).map_err(|error| error.to_string())?;
-    let processors = std::thread::available_parallelism().map_or(1, usize::from);
-    let settings = Settings {
-        workers: args.workers.unwrap_or(processors),
-        retry: args.retry,
-        identity: identity(&args.definition)?,
-        cancel: Cancel::default(),
-    };
+    let SweepCall { document, options, plan, settings, .. } = SweepCall::of(args)?;
+    let plan = Plan::bind(&plan, &document).map_err(|error| error.to_string())?;
     ticks::on_interrupt(settings.cancel.clone());
     let mut line = Line::new();
     let summary = solve_all(document, options, &plan, &args.output, &settings, |now| line.show(now));

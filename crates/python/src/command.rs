@@ -11,5 +11,5 @@ use pyo3::prelude::*;
 pub(crate) fn run_command(py: Python<'_>, words: Vec<OsString>, interpreter: PathBuf) -> u8 {
     let module = ["-m".into(), "katydid".into()];
     let again = module.into_iter().chain(words.iter().skip(1).cloned()).collect();
-    py.detach(|| katydid_cli::run_command(words, &Program::other(interpreter, again)))
+    py.detach(|| katydid_cli::run_command(words, &Program::python_with(interpreter, again)))
 }

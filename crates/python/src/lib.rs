@@ -16,6 +16,7 @@ mod errors;
 mod files;
 mod geometry;
 mod host;
+mod study;
 mod values;
 mod work;
 
@@ -50,11 +51,13 @@ mod _katydid {
     #[pymodule_export]
     use crate::host::Host;
     #[pymodule_export]
+    use crate::study::{StudyCore, StudySolver};
+    #[pymodule_export]
     use crate::values::{Colour, Item, Tree};
 
     #[pymodule_init]
-    fn init(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         katydid_components::link();
-        Ok(())
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -96,6 +96,18 @@ impl Cell {
         }
     }
 
+    /// Cells of a point as bytes, to hand them to another process.
+    pub fn to_bytes(cells: &[Self]) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(16 * cells.len());
+        cells.iter().for_each(|cell| cell.encode(&mut bytes));
+        bytes
+    }
+
+    /// The cells of [`to_bytes`](Self::to_bytes); `None` where the bytes are damaged.
+    pub fn of_bytes(bytes: &[u8]) -> Option<Vec<Self>> {
+        crate::record::cells(bytes)
+    }
+
     /// The bytes that stand for it in a store and in keys.
     pub(crate) fn encode(&self, out: &mut Vec<u8>) {
         match self {

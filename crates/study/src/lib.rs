@@ -2,9 +2,11 @@
 //!
 //! A [`Prepared`] definition has its [`Variable`]s and [`Output`]s found, and what does not hang on them is solved. Each worker
 //! solves points on a clone of it, on one thread, so that points are what is done side by side. On this stand [`sweep()`],
-//! [`effects_here`] and [`effects_over_range`], [`optimise()`] and [`solve_for()`].
+//! [`effects_here`] and [`effects_over_range`], [`optimise()`] and [`solve_for()`]. A [`Dispatcher`] hands points out to
+//! [`PointSolver`]s in other processes, or to a program that asks for them.
 
 mod cell;
+mod dispatcher;
 mod effects;
 mod error;
 mod motion;
@@ -16,7 +18,9 @@ mod prepared;
 mod probe;
 mod random;
 mod reach;
+mod record;
 mod solve_for;
+mod solver;
 mod store;
 mod sweep;
 mod table;
@@ -25,6 +29,7 @@ pub mod thresholds;
 mod variable;
 
 pub use cell::Cell;
+pub use dispatcher::Dispatcher;
 pub use effects::{
     Derivative, End, Here, RangeSettings, Ranged, Screening, Share, Slope, effects_here, effects_over_range,
 };
@@ -38,6 +43,7 @@ pub use plan::{Plan, PlanFile, PlanPoints};
 pub use prepared::{Outcome, Prepared, Status, Worker};
 pub use reach::inputs_of;
 pub use solve_for::{Effort, Solution, solve_for};
+pub use solver::{Batch, PointSolver};
 pub use sweep::{Progress, Settings, Summary, sweep};
-pub use things::Things;
+pub use things::{Thing, Things};
 pub use variable::Variable;

@@ -10,6 +10,15 @@ const STACK: usize = 16 << 20;
 /// How many results may wait for whoever takes them.
 const WAITING: usize = 256;
 
+/// A thread on which all that is inside of a point runs.
+///
+/// # Errors
+/// It cannot be started.
+pub(crate) fn thread() -> Result<rayon::ThreadPool, StudyError> {
+    let built = rayon::ThreadPoolBuilder::new().num_threads(1).stack_size(STACK).build();
+    built.map_err(|error| StudyError::Unfit(format!("no thread could be started: {error}")))
+}
+
 /// Works through `tasks` on so many threads; `take` gets each result on the caller's thread, in the order in which they come.
 /// When `take` fails, no further task is begun.
 ///
@@ -24,10 +33,7 @@ pub(crate) fn each<T: Send, R: Send>(
 ) -> Result<(), StudyError> {
     let workers = workers.max(1);
     // Points are what is done side by side: inside of one, everything runs on its own thread.
-    let pools: Result<Vec<_>, _> = (0..workers)
-        .map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).stack_size(STACK).build())
-        .collect();
-    let pools = pools.map_err(|error| StudyError::Unfit(format!("no thread could be started: {error}")))?;
+    let pools: Vec<_> = (0..workers).map(|_| thread()).collect::<Result<_, _>>()?;
     let tasks = Mutex::new(Some(tasks));
     let failed = Mutex::new(None);
     let next = || {

@@ -30,10 +30,12 @@ pub enum Status {
     NoData = 7,
     /// The point's picture or geometry could not be made or written.
     NoFile = 8,
+    /// What solved it ended or hung each time.
+    Lost = 9,
 }
 
 impl Status {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 10] = [
         Self::Ok,
         Self::Warning,
         Self::Error,
@@ -43,6 +45,7 @@ impl Status {
         Self::NotFinite,
         Self::NoData,
         Self::NoFile,
+        Self::Lost,
     ];
 
     /// The word for it in tables.
@@ -57,6 +60,7 @@ impl Status {
             Self::NotFinite => "not-finite",
             Self::NoData => "no-data",
             Self::NoFile => "no-file",
+            Self::Lost => "lost",
         }
     }
 
@@ -121,6 +125,11 @@ impl Prepared {
     /// The outputs.
     pub fn outputs(&self) -> &[Output] {
         &self.outputs
+    }
+
+    /// What stops the solves of its workers from outside.
+    pub fn set_cancel(&mut self, cancel: Cancel) {
+        self.engine.options_mut().cancel = cancel;
     }
 
     /// The engine with the results at the document's own values.

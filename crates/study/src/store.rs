@@ -7,32 +7,16 @@ use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-use crate::thresholds::{MOST_RECORD_BYTES, SYNC_EVERY};
-use crate::{Cell, Outcome, Status, StudyError};
+use crate::record::{Kept, Name, decode, framed, record};
+use crate::thresholds::SYNC_EVERY;
+use crate::{Status, StudyError};
 
 /// What a store's file begins with; the last byte is the version of the form.
 const MAGIC: [u8; 8] = *b"KDSTUDY\x01";
 /// The magic and the name of the study.
 const HEADER: u64 = 24;
-
-/// The name of a point or a study: what it is made of, hashed.
-pub(crate) type Name = [u8; 16];
-
-/// The first bytes of a BLAKE3 hash.
-pub(crate) fn name_of(hasher: &blake3::Hasher) -> Name {
-    hasher.finalize().as_bytes().first_chunk().copied().unwrap_or_default()
-}
-
-/// What is kept of a point.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Kept {
-    pub(crate) name: Name,
-    pub(crate) outcome: Outcome,
-    /// The names of its picture and its geometry; empty where there is none.
-    pub(crate) files: [String; 2],
-}
 
 /// The file, and where in it each point is.
 #[derive(Debug)]
@@ -121,16 +105,22 @@ impl Store {
         is_new
     }
 
+    /// Whether a point was handed out and has no outcome yet.
+    pub(crate) fn is_awaited(&self, name: &Name) -> bool {
+        self.places.get(&half(name)) == Some(&0)
+    }
+
+    /// Whether there is an outcome of a point.
+    pub(crate) fn has(&self, name: &Name) -> bool {
+        self.places.get(&half(name)).is_some_and(|place| *place > 0)
+    }
+
     /// Keeps an outcome. After an error nothing of it is in the file.
     ///
     /// # Errors
     /// It cannot be written.
     pub(crate) fn keep(&mut self, kept: &Kept) -> Result<(), StudyError> {
-        let payload = encode(kept);
-        let mut bytes = Vec::with_capacity(payload.len() + 8);
-        bytes.extend(u32::try_from(payload.len()).unwrap_or(u32::MAX).to_le_bytes());
-        bytes.extend(crc32fast::hash(&payload).to_le_bytes());
-        bytes.extend(payload);
+        let bytes = framed(kept);
         if let Err(error) = self.append(&bytes) {
             // Half a record is cut away now where that can be done, else when the file is opened again.
             let _ = self
@@ -148,6 +138,8 @@ impl Store {
     }
 
     fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
+        // Whoever read a record has left the file's position behind it.
+        self.file.seek(SeekFrom::Start(self.end))?;
         self.file.write_all(bytes)?;
         if self.synced.elapsed() >= SYNC_EVERY {
             self.file.sync_data()?;
@@ -193,79 +185,12 @@ fn half(name: &Name) -> u64 {
     name.first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
 }
 
-/// Reads the payload of the next record; `false` where there is no whole one.
-fn record(reader: &mut impl Read, left: u64, bytes: &mut Vec<u8>) -> io::Result<bool> {
-    if left < 8 {
-        return Ok(false);
-    }
-    let mut head = [0; 8];
-    reader.read_exact(&mut head)?;
-    let [length, sum] =
-        [0, 4].map(|at| head.get(at..at + 4).and_then(|b| b.try_into().ok()).map_or(0, u32::from_le_bytes));
-    if length > MOST_RECORD_BYTES || u64::from(length) > left - 8 {
-        return Ok(false);
-    }
-    bytes.resize(length as usize, 0);
-    reader.read_exact(bytes)?;
-    Ok(crc32fast::hash(bytes) == sum)
-}
-
-fn encode(kept: &Kept) -> Vec<u8> {
-    let mut out = Vec::with_capacity(128);
-    out.extend(kept.name);
-    out.push(kept.outcome.status as u8);
-    out.extend(u64::try_from(kept.outcome.time.as_nanos()).unwrap_or(u64::MAX).to_le_bytes());
-    let texts = [&kept.outcome.reason, &kept.files[0], &kept.files[1]];
-    texts.iter().for_each(|text| Cell::Text((*text).clone()).encode(&mut out));
-    kept.outcome.cells.iter().for_each(|cell| cell.encode(&mut out));
-    out
-}
-
-fn decode(bytes: &[u8]) -> Option<Kept> {
-    let mut rest = bytes;
-    let name = taken(&mut rest)?;
-    let [status] = taken(&mut rest)?;
-    let time = Duration::from_nanos(u64::from_le_bytes(taken(&mut rest)?));
-    let mut text = || match cell(&mut rest)? {
-        Cell::Text(text) => Some(text),
-        _ => None,
-    };
-    let (reason, files) = (text()?, [text()?, text()?]);
-    let mut cells = Vec::new();
-    while !rest.is_empty() {
-        cells.push(cell(&mut rest)?);
-    }
-    let outcome = Outcome { status: Status::of_byte(status)?, reason, cells, time };
-    Some(Kept { name, outcome, files })
-}
-
-fn taken<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
-    let (head, tail) = rest.split_first_chunk()?;
-    *rest = tail;
-    Some(*head)
-}
-
-fn cell(rest: &mut &[u8]) -> Option<Cell> {
-    let [kind] = taken(rest)?;
-    Some(match kind {
-        0 => Cell::Null,
-        1 => Cell::Boolean(taken::<1>(rest)? != [0]),
-        2 => Cell::Number(f64::from_bits(u64::from_le_bytes(taken(rest)?))),
-        3 => {
-            let length = u32::from_le_bytes(taken(rest)?);
-            let (head, tail) = rest.split_at_checked(length as usize)?;
-            *rest = tail;
-            Cell::Text(String::from_utf8(head.to_vec()).ok()?)
-        }
-        _ => return None,
-    })
-}
-
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
+    use std::time::Duration;
 
     use super::*;
+    use crate::{Cell, Outcome};
 
     fn kept(n: u8, x: f64) -> Kept {
         let cells = vec![Cell::Number(x), Cell::Text("a\u{e9}".to_owned()), Cell::Null, Cell::Boolean(true)];
@@ -308,12 +233,18 @@ mod tests {
         assert!(again.take(&[4; 16]));
     }
 
-    proptest! {
-        #[test]
-        fn bytes_are_decoded_or_refused(bytes: Vec<u8>) {
-            if let Some(kept) = decode(&bytes) {
-                prop_assert_eq!(decode(&encode(&kept)).map(|k| encode(&k)), Some(encode(&kept)));
-            }
+    #[test]
+    fn what_is_kept_after_a_record_was_read_lies_behind_all_others() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut store = Store::open(&folder.path().join("a"), &[9; 16], |_| false).unwrap();
+        // More than what a read takes ahead.
+        for n in 1..=40 {
+            store.keep(&kept(n, f64::from(n))).unwrap();
+        }
+        assert_eq!(store.get(&[1; 16]).unwrap(), Some(kept(1, 1.0)));
+        store.keep(&kept(41, 41.0)).unwrap();
+        for n in 1..=41 {
+            assert_eq!(store.get(&[n; 16]).unwrap(), Some(kept(n, f64::from(n))));
         }
     }
 }

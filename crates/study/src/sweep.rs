@@ -10,7 +10,9 @@ use katydid_component::Cancel;
 use katydid_definition::document::Document;
 use katydid_solver::Options;
 
-use crate::store::{Kept, Name, Store, name_of};
+use crate::record::{Kept, Name, name_of};
+use crate::solver::{options_of, solved};
+use crate::store::Store;
 use crate::{Cell, Plan, Prepared, Status, StudyError, Things, pool, table};
 
 /// How a sweep is made.
@@ -70,12 +72,9 @@ pub fn sweep(
 ) -> Result<Summary, StudyError> {
     let start = Instant::now();
     let store = open_store(plan, folder, settings)?;
-    let things = Things::new(folder, plan.pictures, plan.geometry.as_deref())?;
-    let options = Options {
-        cancel: settings.cancel.clone(),
-        skip_unread: !plan.pictures && plan.geometry.is_none(),
-        ..options
-    };
+    let things = Things::new(plan.pictures, plan.geometry.as_deref())?;
+    things.make_folders(folder)?;
+    let options = options_of(plan, options, &settings.cancel);
     let prepared = Prepared::new(document, options, plan.variables().to_vec(), plan.outputs().to_vec());
 
     let had = AtomicU64::new(0);
@@ -99,18 +98,10 @@ pub fn sweep(
     });
     let work =
         |worker: &mut crate::Worker<'_>, (name, point): (Name, Vec<Cell>)| -> Result<Kept, StudyError> {
-            let mut outcome = worker.solve(&point);
-            let files =
-                if outcome.status.is_good() { things.write(worker.engine()) } else { Ok(Default::default()) };
-            let files = files.or_else(|error| match error {
-                StudyError::Unfit(why) => {
-                    (outcome.status, outcome.reason) = (Status::NoFile, why);
-                    Ok(Default::default())
-                }
-                // A disk that is full is no property of the point.
-                error => Err(error),
-            })?;
-            Ok(Kept { name, outcome, files })
+            let (kept, made) = solved(worker, &things, name, &point);
+            // A disk that is full is no property of the point.
+            made.iter().flatten().try_for_each(|thing| thing.write(folder))?;
+            Ok(kept)
         };
     let swept = pool::each(&prepared, settings.workers, tasks, work, |kept| {
         let kept = kept?;
@@ -151,6 +142,7 @@ pub(crate) fn open_store(plan: &Plan, folder: &Path, settings: &Settings) -> Res
 }
 
 /// What names points: their values behind the names of the inputs.
+#[derive(Debug)]
 pub(crate) struct Names(blake3::Hasher);
 
 impl Names {
@@ -163,10 +155,8 @@ impl Names {
     }
 
     pub(crate) fn name(&self, point: &[Cell]) -> Name {
-        let mut bytes = Vec::with_capacity(16 * point.len());
-        point.iter().for_each(|cell| cell.encode(&mut bytes));
         let mut hasher = self.0.clone();
-        hasher.update(&bytes);
+        hasher.update(&Cell::to_bytes(point));
         name_of(&hasher)
     }
 }

@@ -12,7 +12,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 
-use crate::store::Kept;
+use crate::record::Kept;
 use crate::thresholds::ROWS_A_GROUP;
 use crate::{Cell, Plan, StudyError};
 

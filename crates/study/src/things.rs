@@ -1,6 +1,6 @@
 //! The picture and the geometry of a point, in files named by their content.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use katydid_exchange::{Conversion, Format, Options as WriteOptions, Scene};
 use katydid_picture::Options as Look;
@@ -13,22 +13,33 @@ use crate::StudyError;
 const VERSION: i32 = 70;
 /// Width and height of pictures in pixels.
 const PICTURE: [u32; 2] = [640, 480];
+/// The folders of a study with files of points.
+const PICTURES: &str = "pictures";
+const GEOMETRY: &str = "geometry";
 
 /// Which files points get.
 #[derive(Debug, Clone, Default)]
 pub struct Things {
-    folder: PathBuf,
     pictures: bool,
     /// An extension.
     geometry: Option<String>,
 }
 
+/// A file of a point that is not written yet.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Thing {
+    /// Its path in the study's folder, with / between its parts.
+    pub name: String,
+    /// What is in it.
+    pub bytes: Vec<u8>,
+}
+
 impl Things {
-    /// The folders for pictures and geometry are made where they are needed.
+    /// Whether points get a picture, and geometry of which extension.
     ///
     /// # Errors
-    /// The geometry's format is not known, or a folder cannot be made.
-    pub fn new(folder: &Path, pictures: bool, geometry: Option<&str>) -> Result<Self, StudyError> {
+    /// The geometry's format is not known.
+    pub fn new(pictures: bool, geometry: Option<&str>) -> Result<Self, StudyError> {
         if let Some(extension) = geometry
             && extension != "3dm"
             && Format::from_extension(extension).is_none()
@@ -37,23 +48,29 @@ impl Things {
                 "geometry '{extension}': glb, 3dm, or another format that is written"
             )));
         }
-        let things = Self { folder: folder.to_path_buf(), pictures, geometry: geometry.map(str::to_owned) };
-        for (name, wanted) in [("pictures", pictures), ("geometry", geometry.is_some())] {
+        Ok(Self { pictures, geometry: geometry.map(str::to_owned) })
+    }
+
+    /// Makes the folders in which the files of a study are.
+    ///
+    /// # Errors
+    /// One cannot be made.
+    pub fn make_folders(&self, folder: &Path) -> Result<(), StudyError> {
+        for (name, wanted) in [(PICTURES, self.pictures), (GEOMETRY, self.geometry.is_some())] {
             if wanted {
                 let path = folder.join(name);
                 std::fs::create_dir_all(&path).map_err(|error| StudyError::file(&path, error))?;
             }
         }
-        Ok(things)
+        Ok(())
     }
 
-    /// Writes the picture and the geometry of a solved engine; gives their paths in the study's folder, with / between
-    /// their parts, empty where none is wanted.
+    /// Makes the picture and the geometry of a solved engine, where they are wanted.
     ///
     /// # Errors
-    /// One could not be made or written.
-    pub fn write(&self, engine: &Engine) -> Result<[String; 2], StudyError> {
-        let mut names = [String::new(), String::new()];
+    /// One could not be made.
+    pub fn make(&self, engine: &Engine) -> Result<[Option<Thing>; 2], StudyError> {
+        let mut made = [None, None];
         if self.pictures {
             let look = Look { size: PICTURE, title: " ".to_owned(), ..Look::default() };
             let picture = katydid_picture::result(engine, &look);
@@ -61,23 +78,47 @@ impl Things {
                 .drawing
                 .to_png()
                 .map_err(|error| StudyError::Unfit(format!("its picture: {error}")))?;
-            names[0] = self.keep("pictures", "png", &bytes)?;
+            made[0] = Some(Thing::new(PICTURES, "png", bytes));
         }
         if let Some(extension) = &self.geometry {
-            let bytes = geometry(engine, extension)?;
-            names[1] = self.keep("geometry", extension, &bytes)?;
+            made[1] = Some(Thing::new(GEOMETRY, extension, geometry(engine, extension)?));
         }
-        Ok(names)
+        Ok(made)
+    }
+}
+
+impl Thing {
+    fn new(folder: &str, extension: &str, bytes: Vec<u8>) -> Self {
+        let hash = blake3::hash(&bytes).to_hex();
+        let name = format!("{folder}/{}.{extension}", hash.get(..32).unwrap_or_default());
+        Self { name, bytes }
     }
 
-    fn keep(&self, folder: &str, extension: &str, bytes: &[u8]) -> Result<String, StudyError> {
-        let hash = blake3::hash(bytes).to_hex();
-        let name = format!("{folder}/{}.{extension}", hash.get(..32).unwrap_or_default());
-        let path = self.folder.join(&name);
-        if !path.exists() {
-            write_file(&path, bytes).map_err(|error| StudyError::file(&path, error))?;
+    /// A file that another process made: its name must be what its content says.
+    ///
+    /// # Errors
+    /// It is not.
+    pub fn checked(name: &str, bytes: Vec<u8>) -> Result<Self, StudyError> {
+        let (folder, extension) =
+            name.split_once('/').zip(name.rsplit_once('.')).map_or(("", ""), |(a, b)| (a.0, b.1));
+        let thing = Self::new(folder, extension, bytes);
+        let is_plain = extension.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        if ![PICTURES, GEOMETRY].contains(&folder) || !is_plain || thing.name != name {
+            return Err(StudyError::Unfit(format!("'{name}' is no file of a point")));
         }
-        Ok(name)
+        Ok(thing)
+    }
+
+    /// Writes it, where it is not there yet.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<(), StudyError> {
+        let path = folder.join(&self.name);
+        if path.exists() {
+            return Ok(());
+        }
+        write_file(&path, &self.bytes).map_err(|error| StudyError::file(&path, error))
     }
 }
 
@@ -96,4 +137,23 @@ fn geometry(engine: &Engine, extension: &str) -> Result<Vec<u8>, StudyError> {
     katydid_exchange::write(&scene, format, &WriteOptions::default(), &mut bytes)
         .map_err(|error| failed(&error))?;
     Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_from_elsewhere_must_have_the_name_of_its_content() {
+        let made = Thing::new(GEOMETRY, "glb", vec![1, 2, 3]);
+        assert_eq!(Thing::checked(&made.name, made.bytes.clone()).unwrap(), made);
+        assert!(Thing::checked(&made.name, vec![1, 2]).is_err());
+        for name in ["", "geometry/x.glb", "../a/b.glb", "cache/a.kdstudy", "/etc/passwd"] {
+            assert!(Thing::checked(name, vec![1, 2, 3]).is_err(), "{name}");
+        }
+        let outside = Thing::new("..", "glb", vec![1]);
+        assert!(Thing::checked(&outside.name, vec![1]).is_err());
+        let above = Thing::new(GEOMETRY, "x/../../up", vec![1]);
+        assert!(Thing::checked(&above.name, vec![1]).is_err());
+    }
 }

@@ -18,6 +18,8 @@ pub const MOST_RECORD_BYTES: u32 = 1 << 26;
 pub const SYNC_EVERY: Duration = Duration::from_secs(1);
 /// How long a point may take when nobody says so.
 pub const POINT_TIME: Duration = Duration::from_secs(60);
+/// Fewer points than this are not worth a thread more.
+pub const LEAST_HAND_OUT: usize = 4;
 /// Rows of a group in Parquet: what is held in memory while a table is written.
 pub const ROWS_A_GROUP: usize = 1 << 15;
 

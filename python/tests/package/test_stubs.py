@@ -59,7 +59,7 @@ def test_the_package_has_what_its_stub_names():
     names |= {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
     names -= {"Any", "Optional", "StrPath"}
     from katydid import api
-    assert names == set(api.__all__) | {"backend", "interop", "notebook", "rhino"}
+    assert names == set(api.__all__) | {"backend", "interop", "notebook", "rhino", "studies"}
 
 
 EXAMPLE = """

@@ -199,6 +199,12 @@ impl Definition {
         self.state().outputs.to_vec()
     }
 
+    /// Whether `set` has changed it since it was opened.
+    #[getter]
+    fn is_changed(&self) -> bool {
+        self.state().version > 0
+    }
+
     /// What is wrong with its inputs and outputs, in words: two of one name, say.
     #[getter]
     fn problems(&self) -> Vec<String> {
