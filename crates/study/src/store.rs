@@ -148,6 +148,8 @@ impl Store {
     }
 
     fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
+        // What was read in between left the file elsewhere.
+        self.file.seek(SeekFrom::Start(self.end))?;
         self.file.write_all(bytes)?;
         if self.synced.elapsed() >= SYNC_EVERY {
             self.file.sync_data()?;
@@ -287,6 +289,7 @@ mod tests {
         assert!(store.take(&[1; 16]) && !store.take(&[1; 16]));
         for n in 1..=3 {
             store.keep(&kept(n, f64::from(n))).unwrap();
+            assert_eq!(store.get(&[1; 16]).unwrap(), Some(kept(1, 1.0)), "read in between");
         }
         assert!(open().is_err(), "two at a time");
         drop(store);
