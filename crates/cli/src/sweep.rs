@@ -6,8 +6,9 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use katydid_component::Cancel;
+use katydid_geometry::Units;
 use katydid_study::thresholds::POINT_TIME;
-use katydid_study::{Plan, PlanFile, Progress, Settings, sweep as solve_all};
+use katydid_study::{DefinitionFile, Plan, PlanFile, Progress, Settings, sweep as solve_all};
 
 use crate::args::DefinitionArgs;
 use crate::output::{GREEN, YELLOW, note};
@@ -72,6 +73,7 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<u8, String> {
         workers: args.workers.unwrap_or(processors),
         retry: args.retry,
         identity: identity(&args.definition)?,
+        definition: definition_file(&args.definition),
         cancel: Cancel::default(),
     };
     ticks::on_interrupt(settings.cancel.clone());
@@ -105,6 +107,18 @@ pub(crate) fn identity(args: &DefinitionArgs) -> Result<Vec<u8>, String> {
     let DefinitionArgs { set, units, lenient, .. } = args;
     bytes.extend(format!("{set:?} {units:?} {lenient}").into_bytes());
     Ok(bytes)
+}
+
+/// The definition, for whoever opens a point of the study in the studio later; `None` where it came over standard input.
+pub(crate) fn definition_file(args: &DefinitionArgs) -> Option<DefinitionFile> {
+    let whole = |path: &PathBuf| path.canonicalize().ok().filter(|path| path.is_file());
+    let DefinitionArgs { file, model, units, set, .. } = args;
+    Some(DefinitionFile {
+        file: whole(file)?,
+        model: model.as_ref().and_then(whole),
+        units: units.map(|units| Units::from(units).name().to_owned()),
+        set: set.clone(),
+    })
 }
 
 fn rate(solved: u64, elapsed: Duration) -> String {

@@ -7,9 +7,11 @@
 mod cell;
 mod effects;
 mod error;
+mod folder;
 mod optimise;
 mod output;
 mod plan;
+mod plot;
 mod pool;
 mod prepared;
 mod probe;
@@ -28,11 +30,13 @@ pub use effects::{
     Derivative, End, Here, RangeSettings, Ranged, Screening, Share, Slope, effects_here, effects_over_range,
 };
 pub use error::StudyError;
+pub use folder::{About, Column, DefinitionFile, Kind, NamedBound, NamedGoal, Row, State, StudyFolder};
 pub use optimise::{
     Best, Bound, Constraint, Goal, Method, Objective, OptimiseSettings, Optimum, galapagos, optimise,
 };
 pub use output::{Output, marked};
 pub use plan::{Plan, PlanFile, PlanPoints};
+pub use plot::{Plot, PlotOptions, plot};
 pub use prepared::{Outcome, Prepared, Status, Worker};
 pub use reach::inputs_of;
 pub use solve_for::{Solution, solve_for};

@@ -1,7 +1,7 @@
 //! Which points a sweep solves.
 
 mod file;
-mod rows;
+pub(crate) mod rows;
 pub(crate) mod sampling;
 pub(crate) mod sobol;
 
