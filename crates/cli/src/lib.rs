@@ -31,6 +31,7 @@ mod serving;
 mod solve_for;
 mod source;
 mod studio;
+mod study;
 mod sweep;
 mod ticks;
 mod view;
@@ -70,6 +71,7 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::Effects(args) => effects::effects(args),
         Command::Optimise(args) => optimise::optimise(args),
         Command::SolveFor(args) => solve_for::solve_for(args),
+        Command::Study(args) => study::study(args),
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args, program),
         Command::Mcp(args) => mcp::mcp(args),
