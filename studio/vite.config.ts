@@ -58,6 +58,9 @@ const SITE = {
   output: { entryFileNames: ({ name }: { name: string }) => (name === "learn" ? "assets/learn.js" : "assets/[name]-[hash].js") },
 };
 
+/** The binary serves the page on a study beside the studio; a site has no folders to look at. */
+const SERVED = { input: { index: "index.html", study: "study.html" } };
+
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /** `vite build --mode site` makes the studio without a server (`make site`). */
@@ -77,7 +80,7 @@ export default defineConfig(({ mode }) => ({
     emptyOutDir: true,
     target: "es2022",
     chunkSizeWarningLimit: 1600,
-    ...(mode === "site" ? { rolldownOptions: SITE } : {}),
+    rolldownOptions: mode === "site" ? SITE : SERVED,
   },
   server: {
     proxy: {

@@ -12,6 +12,7 @@ use crate::optimise::OptimiseArgs;
 use crate::scripts::{ScriptArgs, StudioScriptArgs};
 use crate::serve_args::ServeArgs;
 use crate::solve_for::SolveForArgs;
+use crate::study::StudyArgs;
 use crate::sweep::SweepArgs;
 use crate::web_args::WebArgs;
 
@@ -34,6 +35,7 @@ Examples:
   katydid effects facade.gh --of Area           which slider moves a number, and how far that holds
   katydid optimise facade.gh --minimise Area -o best   inputs that make a number small or large
   katydid solve-for facade.gh --want Area=120   where the sliders must stand for a wanted number
+  katydid study study                           look at a sweep: plots, pictures, table, front
   katydid studio facade.gh                      edit it in the browser
   katydid serve                                 answer the clients of Rhino.Compute and Hops
   katydid mcp --folder projects                 tools for an assistant, which starts this by itself")]
@@ -68,6 +70,8 @@ pub(crate) enum Command {
     Optimise(Box<OptimiseArgs>),
     /// Find where sliders must stand for outputs to give wanted numbers or points
     SolveFor(SolveForArgs),
+    /// Look at a sweep or an optimisation in the browser, also while it runs, or plot it as SVG
+    Study(StudyArgs),
     /// Build the pages of a live book from a folder of Markdown and definitions
     Book(BookArgs),
     /// Open the studio in the browser: the definition on a canvas, its geometry beside it
@@ -561,7 +565,7 @@ fn archive_version(text: &str) -> Result<i32, String> {
     }
 }
 
-fn token(text: &str) -> Result<String, String> {
+pub(crate) fn token(text: &str) -> Result<String, String> {
     let is_plain = text.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_.~".contains(&b));
     if text.len() >= 8 && is_plain {
         Ok(text.to_owned())

@@ -32,6 +32,7 @@ mod serving;
 mod solve_for;
 mod source;
 mod studio;
+mod study;
 mod sweep;
 mod sweep_call;
 mod sweep_ray;
@@ -74,6 +75,7 @@ pub fn run_command(words: Vec<OsString>, program: &Program) -> u8 {
         Command::Effects(args) => effects::effects(args),
         Command::Optimise(args) => optimise::optimise(args),
         Command::SolveFor(args) => solve_for::solve_for(args),
+        Command::Study(args) => study::study(args),
         Command::Studio(args) => studio::studio(args),
         Command::Serve(args) => serve::serve(args, program),
         Command::Mcp(args) => mcp::mcp(args),

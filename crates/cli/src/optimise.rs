@@ -14,7 +14,7 @@ use katydid_study::{
 use crate::args::DefinitionArgs;
 use crate::effects::table;
 use crate::output::{GREEN, YELLOW, note, print};
-use crate::sweep::{Line, identity};
+use crate::sweep::{Line, definition_file, identity};
 use crate::{convert, open, progress, ticks};
 
 #[derive(Debug, Args)]
@@ -127,6 +127,7 @@ pub(crate) fn optimise(args: &OptimiseArgs) -> Result<u8, String> {
             workers: args.workers.unwrap_or(processors),
             retry: false,
             identity: identity(&args.definition)?,
+            definition: definition_file(&args.definition),
             cancel: Cancel::default(),
         },
     };

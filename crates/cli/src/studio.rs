@@ -20,21 +20,27 @@ pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
         scripts: Some(args.scripts.for_studio()),
         ..Config::default()
     };
+    serve(config, args.no_open)
+}
+
+/// Serves until a signal ends it, after the address is printed and opened in the browser.
+pub(crate) fn serve(config: Config, no_open: bool) -> Result<u8, String> {
+    let (is_shared, has_files) = (!config.address.is_loopback(), !config.folders.is_empty());
     serving::run(async {
         let mut signals = Signals::listen()?;
         let server = katydid_server::start(config).await.map_err(|error| error.to_string())?;
-        greet(&server, args);
+        greet(&server, is_shared, has_files, no_open);
         printed()?;
         signals.next().await;
         Ok(signals.stopping(server.stop()).await)
     })
 }
 
-fn greet(server: &Server, args: &StudioArgs) {
+fn greet(server: &Server, is_shared: bool, has_files: bool, no_open: bool) {
     say(&format!("{BOLD}{}{BOLD:#}", server.url()));
-    if !args.host.is_loopback() {
+    if is_shared {
         note(&format!("{YELLOW}note{YELLOW:#}: others can join with this address, and change what is open"));
-        if args.files.is_empty() {
+        if !has_files {
             note(
                 "definitions read no files of this machine; --files FOLDER lets them read those of a folder",
             );
@@ -44,7 +50,7 @@ fn greet(server: &Server, args: &StudioArgs) {
         note(&format!("{YELLOW}note{YELLOW:#}: the page is not built: the address tells how"));
     }
     note("Ctrl+C ends it");
-    if !args.no_open && ::open::that_detached(server.opening()).is_err() {
+    if !no_open && ::open::that_detached(server.opening()).is_err() {
         note(&format!("{YELLOW}note{YELLOW:#}: no browser could be started: open the address in one"));
     }
 }

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use katydid_study::{Plan, Progress, sweep as solve_all};
+use katydid_geometry::Units;
+use katydid_study::{DefinitionFile, Plan, Progress, sweep as solve_all};
 
 use crate::args::DefinitionArgs;
 use crate::output::{GREEN, YELLOW, note};
@@ -90,6 +91,18 @@ pub(crate) fn identity(args: &DefinitionArgs) -> Result<Vec<u8>, String> {
     let DefinitionArgs { set, units, lenient, .. } = args;
     bytes.extend(format!("{set:?} {units:?} {lenient}").into_bytes());
     Ok(bytes)
+}
+
+/// The definition, for whoever opens a point of the study in the studio later; `None` where it came over standard input.
+pub(crate) fn definition_file(args: &DefinitionArgs) -> Option<DefinitionFile> {
+    let whole = |path: &PathBuf| path.canonicalize().ok().filter(|path| path.is_file());
+    let DefinitionArgs { file, model, units, set, .. } = args;
+    Some(DefinitionFile {
+        file: whole(file)?,
+        model: model.as_ref().and_then(whole),
+        units: units.map(|units| Units::from(units).name().to_owned()),
+        set: set.clone(),
+    })
 }
 
 fn rate(solved: u64, elapsed: Duration) -> String {

@@ -11,7 +11,7 @@ use katydid_study::thresholds::POINT_TIME;
 use katydid_study::{PlanFile, Settings};
 
 use crate::open;
-use crate::sweep::{SweepArgs, identity};
+use crate::sweep::{SweepArgs, definition_file, identity};
 
 /// A definition, the plan and the folder of its study, as the words of `katydid sweep` name them: the same study for the command,
 /// for Python, and for whoever solves points on another machine.
@@ -88,6 +88,7 @@ impl SweepCall {
             workers: args.workers.unwrap_or(processors),
             retry: args.retry,
             identity: identity(&args.definition)?,
+            definition: definition_file(&args.definition),
             cancel: Cancel::default(),
         };
         let files = CallFiles {

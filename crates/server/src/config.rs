@@ -28,10 +28,21 @@ pub struct Config {
     pub scripts: Option<ScriptConfig>,
     /// The folder of the book whose pages stand at `/learn`; without it Katydid's own book does.
     pub book: Option<PathBuf>,
+    /// The study whose page stands at `/study`.
+    pub study: Option<StudyConfig>,
     /// The most bytes of a file that is sent.
     pub most_upload: usize,
     /// The most documents that are open at a time.
     pub most_documents: usize,
+}
+
+/// A study that is looked at.
+#[derive(Debug, Clone, Default)]
+pub struct StudyConfig {
+    /// Its folder.
+    pub folder: PathBuf,
+    /// The definition whose points are opened; without it, that which the folder names.
+    pub definition: Option<PathBuf>,
 }
 
 /// What runs the scripts of definitions that are open in the studio.
@@ -62,6 +73,7 @@ impl Default for Config {
             state: None,
             scripts: None,
             book: None,
+            study: None,
             most_upload: 256 << 20,
             most_documents: 64,
         }

@@ -29,6 +29,6 @@ mod names;
 mod secret;
 mod server;
 
-pub use config::{Config, ScriptConfig};
+pub use config::{Config, ScriptConfig, StudyConfig};
 pub use error::Error;
 pub use server::{Server, start};

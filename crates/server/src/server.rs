@@ -4,10 +4,8 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use katydid_component::RhinoModel;
-
 use crate::document::Source;
-use crate::http::{self, State};
+use crate::http::{self, State, Study};
 use crate::listen::{Listening, bind, url};
 use crate::{Config, Error};
 
@@ -37,7 +35,9 @@ pub async fn start(config: Config) -> Result<Server, Error> {
     katydid_components::link();
     let (listener, address) = bind(SocketAddr::new(config.address, config.port)).await?;
     let (file, model, player) = (config.file.clone(), config.model.clone(), config.player);
-    let state = Arc::new(State::new(config, address.port()));
+    let study = config.study.as_ref().map(Study::open).transpose().map_err(Error::Open)?;
+    let page = if study.is_some() { "study" } else { "" };
+    let state = Arc::new(State::new(config, address.port(), study));
     let mut query = Vec::new();
     if player {
         query.push("player".to_owned());
@@ -48,7 +48,9 @@ pub async fn start(config: Config) -> Result<Server, Error> {
         let id = state.documents.open(source).map_err(Error::Open)?;
         query.push(format!("document={id}"));
     }
-    let with = |secret: String| url(address, &[query.as_slice(), &[secret]].concat().join("&"));
+    let with = |secret: String| {
+        format!("{}{page}?{}", url(address, ""), [query.as_slice(), &[secret]].concat().join("&"))
+    };
     let opening = with(format!("ticket={}", state.guard.ticket()));
     let url = with(format!("token={}", state.guard.token()));
     let listening = Listening::start(listener, address, http::router(Arc::clone(&state)), GRACE);
@@ -57,12 +59,10 @@ pub async fn start(config: Config) -> Result<Server, Error> {
 
 fn opened(file: &std::path::Path, model: Option<&std::path::Path>) -> Result<Source, String> {
     let source = Source::file(file)?;
-    let Some(path) = model else { return Ok(source) };
-    let bytes = std::fs::read(path)
-        .map_err(|error| format!("{}: {}", path.display(), crate::files::plain(&error)))?;
-    let model = RhinoModel::read(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    Ok(source.beside(name, model))
+    match model {
+        Some(path) => source.with_model(path),
+        None => Ok(source),
+    }
 }
 
 impl Server {

@@ -101,7 +101,10 @@ pub fn find(document: &Document, name: &str) -> Result<usize, InputError> {
     }
     match found.as_slice() {
         [one] => Ok(*one),
-        [] => Err(InputError::NotFound { name: name.to_owned(), near: nearest(&all, name) }),
+        [] => {
+            let near = nearest(all.iter().map(|(other, _)| other.as_str()), name).map(str::to_owned);
+            Err(InputError::NotFound { name: name.to_owned(), near })
+        }
         many => Err(InputError::Ambiguous {
             name: name.to_owned(),
             count: many.len(),
@@ -110,11 +113,11 @@ pub fn find(document: &Document, name: &str) -> Result<usize, InputError> {
     }
 }
 
-/// The name with the fewest letters different, when it is similar at all.
-fn nearest(all: &[(String, usize)], name: &str) -> Option<String> {
+/// Of these names that with the fewest letters different, when it is similar at all.
+pub fn nearest<'a>(all: impl Iterator<Item = &'a str>, name: &str) -> Option<&'a str> {
     let distance = |other: &str| edit_distance(&name.to_lowercase(), &other.to_lowercase());
-    let (best, name_there) = all.iter().map(|(n, _)| (distance(n), n)).min()?;
-    (best <= name.chars().count().max(3) / 2).then(|| name_there.clone())
+    let (best, there) = all.map(|other| (distance(other), other)).min()?;
+    (best <= name.chars().count().max(3) / 2).then_some(there)
 }
 
 /// Levenshtein's distance by one row of the table.

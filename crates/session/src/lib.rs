@@ -49,7 +49,7 @@ pub use check::{Check, KnownOfPlugin, ScriptObject, Unsupported, check};
 pub use editor::{About, Editor, NoResults, Results};
 pub use edits::new_object;
 pub use explain::{explain, explainable, nurbs_of};
-pub use input::{InputError, assign as assign_input, find as find_input, inputs};
+pub use input::{InputError, assign as assign_input, find as find_input, inputs, nearest};
 #[cfg(not(target_family = "wasm"))]
 pub use output_file::{OutputFile, remove_unfinished, write_file};
 pub use report::{Items, Report};

@@ -54,6 +54,17 @@ impl Cell {
         }
     }
 
+    /// The value in JSON, which has no NaN and no infinity: those are texts.
+    pub fn json(&self) -> serde_json::Value {
+        match self {
+            Self::Null => serde_json::Value::Null,
+            Self::Boolean(on) => (*on).into(),
+            Self::Number(x) if !x.is_finite() => x.to_string().into(),
+            Self::Number(x) => (*x).into(),
+            Self::Text(text) => text.as_str().into(),
+        }
+    }
+
     /// What an output gives: one item as itself, a list as a JSON array, several branches as a JSON object from path to
     /// list. What is longer than a cell holds is told by its count.
     pub fn of_tree(tree: &Tree) -> Self {
@@ -132,14 +143,7 @@ fn short(text: &str) -> Cell {
 }
 
 fn json(item: Option<&Value>) -> serde_json::Value {
-    match item.map(Cell::of_value) {
-        None | Some(Cell::Null) => serde_json::Value::Null,
-        Some(Cell::Boolean(on)) => on.into(),
-        // JSON has no NaN and no infinity: those stay texts.
-        Some(Cell::Number(x)) if !x.is_finite() => x.to_string().into(),
-        Some(Cell::Number(x)) => x.into(),
-        Some(Cell::Text(text)) => text.into(),
-    }
+    item.map_or(serde_json::Value::Null, |item| Cell::of_value(item).json())
 }
 
 impl fmt::Display for Cell {

@@ -1,17 +1,18 @@
 //! A study whose points are solved elsewhere: on other machines, or as a program asks for them.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use katydid_component::Cancel;
 
+use crate::folder::Log;
 use crate::record::{Kept, Name, decode, record};
 use crate::store::Store;
 use crate::sweep::{Names, open_store};
 use crate::thresholds::LEAST_HAND_OUT;
 use crate::{
-    Cell, Outcome, Plan, PlanPoints, Prepared, Progress, Settings, Status, StudyError, Summary, Thing,
+    About, Cell, DefinitionFile, Outcome, Plan, PlanPoints, Prepared, Progress, Settings, Status, StudyError, Summary, Thing,
     Things, plan, pool, table,
 };
 
@@ -24,8 +25,14 @@ pub struct Dispatcher {
     folder: PathBuf,
     store: Store,
     names: Names,
-    /// The points of the plan that were not looked at.
+    /// The points of the plan that were not looked at, and how many were.
     rest: PlanPoints,
+    looked_at: u64,
+    /// The points of the plan that are handed out, with their places in it.
+    handed: HashMap<Name, (u64, Vec<Cell>)>,
+    /// What is told of the plan's points while they are solved; none before the first is handed out.
+    log: Option<Log>,
+    definition: Option<DefinitionFile>,
     /// Points that a program asked for, in that order, each once.
     asked: Vec<Vec<Cell>>,
     known: HashSet<Name>,
@@ -52,6 +59,10 @@ impl Dispatcher {
         Things::new(plan.pictures, plan.geometry.as_deref())?.make_folders(folder)?;
         Ok(Self {
             rest: plan.points()?,
+            looked_at: 0,
+            handed: HashMap::new(),
+            log: None,
+            definition: settings.definition.clone(),
             names: Names::of(&plan),
             progress: Progress { points: plan.count(), ..Progress::default() },
             plan,
@@ -71,19 +82,33 @@ impl Dispatcher {
     /// The next points of the plan that are to be solved, at most so many; none when all are handed out.
     ///
     /// # Errors
-    /// The file with the points cannot be read.
+    /// The file with the points cannot be read, or a file of the study cannot be written.
     pub fn next_points(&mut self, most: usize) -> Result<Vec<Vec<Cell>>, StudyError> {
+        if self.log.is_none() {
+            self.log = Some(Log::begin(&self.folder, &self.about(&self.plan))?);
+        }
         let mut found = Vec::new();
         while found.len() < most {
             let Some(point) = self.rest.next() else { break };
-            let point = point?;
-            if self.store.take(&self.names.name(&point)) {
+            let (number, point) = (self.looked_at, point?);
+            self.looked_at += 1;
+            let name = self.names.name(&point);
+            if self.store.take(&name) {
+                self.handed.insert(name, (number, point.clone()));
                 found.push(point);
-            } else {
-                self.progress.had += 1;
+                continue;
+            }
+            self.progress.had += 1;
+            // One that is handed out under another number has no results yet.
+            if let (Some(kept), Some(log)) = (self.store.get(&name)?, &mut self.log) {
+                log.row(number, &point, &kept)?;
             }
         }
         Ok(found)
+    }
+
+    fn about(&self, plan: &Plan) -> About {
+        About::new(self.definition.as_ref(), plan.variables(), plan.outputs(), plan.count())
     }
 
     /// Takes records, as [`PointSolver`](crate::PointSolver) makes them, and the files of their points; gives how many points
@@ -129,6 +154,9 @@ impl Dispatcher {
             ));
         }
         self.store.keep(kept)?;
+        if let (Some((number, point)), Some(log)) = (self.handed.remove(&kept.name), &mut self.log) {
+            log.row(number, &point, kept)?;
+        }
         self.progress.solved += 1;
         self.progress.failed += u64::from(!kept.outcome.status.is_good());
         Ok(true)
@@ -139,7 +167,9 @@ impl Dispatcher {
     /// # Errors
     /// A point is not solved, or a file cannot be read or written.
     pub fn finish(&mut self) -> Result<Summary, StudyError> {
-        self.write(&self.plan.clone())
+        let summary = self.write(&self.plan.clone())?;
+        self.log.take().map_or(Ok(()), Log::finish)?;
+        Ok(summary)
     }
 
     /// Writes the tables of the points that were asked for.
@@ -147,7 +177,9 @@ impl Dispatcher {
     /// # Errors
     /// A point is not solved, or a file cannot be read or written.
     pub fn finish_asked(&mut self) -> Result<Summary, StudyError> {
-        self.write(&self.plan.with_points(self.asked.clone()))
+        let plan = self.plan.with_points(self.asked.clone());
+        self.about(&plan).write(&self.folder)?;
+        self.write(&plan)
     }
 
     fn write(&mut self, plan: &Plan) -> Result<Summary, StudyError> {

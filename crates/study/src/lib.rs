@@ -9,10 +9,12 @@ mod cell;
 mod dispatcher;
 mod effects;
 mod error;
+mod folder;
 mod motion;
 mod optimise;
 mod output;
 mod plan;
+mod plot;
 mod pool;
 mod prepared;
 mod probe;
@@ -34,12 +36,14 @@ pub use effects::{
     Derivative, End, Here, RangeSettings, Ranged, Screening, Share, Slope, effects_here, effects_over_range,
 };
 pub use error::StudyError;
+pub use folder::{About, Column, DefinitionFile, Kind, NamedBound, NamedGoal, Row, State, StudyFolder};
 pub use motion::{Arrow, Motion, motion, shown_objects};
 pub use optimise::{
     Best, Bound, Constraint, Goal, Method, Objective, OptimiseSettings, Optimum, galapagos, optimise,
 };
 pub use output::{Output, marked};
 pub use plan::{Plan, PlanFile, PlanPoints};
+pub use plot::{Plot, PlotOptions, plot};
 pub use prepared::{Outcome, Prepared, Status, Worker};
 pub use reach::inputs_of;
 pub use solve_for::{Effort, Solution, solve_for};

@@ -69,6 +69,11 @@ impl Status {
         matches!(self, Self::Ok | Self::Warning)
     }
 
+    /// The status of that word.
+    pub fn of_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|status| status.word() == word)
+    }
+
     pub(crate) fn of_byte(byte: u8) -> Option<Self> {
         Self::ALL.get(usize::from(byte)).copied()
     }

@@ -212,6 +212,7 @@ mod tests {
         assert!(store.take(&[1; 16]) && !store.take(&[1; 16]));
         for n in 1..=3 {
             store.keep(&kept(n, f64::from(n))).unwrap();
+            assert_eq!(store.get(&[1; 16]).unwrap(), Some(kept(1, 1.0)), "read in between");
         }
         assert!(open().is_err(), "two at a time");
         drop(store);

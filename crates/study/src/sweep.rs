@@ -10,10 +10,11 @@ use katydid_component::Cancel;
 use katydid_definition::document::Document;
 use katydid_solver::Options;
 
+use crate::folder::Log;
 use crate::record::{Kept, Name, name_of};
 use crate::solver::{options_of, solved};
 use crate::store::Store;
-use crate::{Cell, Plan, Prepared, Status, StudyError, Things, pool, table};
+use crate::{About, Cell, DefinitionFile, Plan, Prepared, Status, StudyError, Things, pool, table};
 
 /// How a sweep is made.
 #[derive(Debug, Clone, Default)]
@@ -25,6 +26,8 @@ pub struct Settings {
     /// What the results hang on besides the plan: the bytes of the definition and of its model, what else was set. Points
     /// of the same study are not solved twice.
     pub identity: Vec<u8>,
+    /// The file of the definition, for whoever looks at the study later.
+    pub definition: Option<DefinitionFile>,
     /// Stops the sweep from outside.
     pub cancel: Cancel,
 }
@@ -58,7 +61,8 @@ pub struct Summary {
 /// Solves all points of a plan that the folder does not have, and writes its tables: `table.parquet`; `data.csv` as Design
 /// Explorer reads it; `failed.csv` with the points that gave no result and why; `times.csv` with the milliseconds.
 ///
-/// The tables have the same bytes for any number of workers and any number of interruptions.
+/// The tables have the same bytes for any number of workers and any number of interruptions. Before, while points are solved,
+/// [`StudyFolder`](crate::StudyFolder) reads them from `points.jsonl`.
 ///
 /// # Errors
 /// A file cannot be read or written, or somebody asked to stop; what was solved by then is kept.
@@ -72,6 +76,8 @@ pub fn sweep(
 ) -> Result<Summary, StudyError> {
     let start = Instant::now();
     let store = open_store(plan, folder, settings)?;
+    let about = About::new(settings.definition.as_ref(), plan.variables(), plan.outputs(), plan.count());
+    let log = Mutex::new(Log::begin(folder, &about)?);
     let things = Things::new(plan.pictures, plan.geometry.as_deref())?;
     things.make_folders(folder)?;
     let options = options_of(plan, options, &settings.cancel);
@@ -82,34 +88,39 @@ pub fn sweep(
     let store = Mutex::new(store);
     let names = Names::of(plan);
     let cancelled = || settings.cancel.is_cancelled();
-    let tasks = plan.points()?.filter_map(|point| {
+    let tasks = (0..).zip(plan.points()?).filter_map(|(number, point)| {
         let point = match point {
             _ if cancelled() => return Some(Err(StudyError::Stopped)),
             Ok(point) => point,
             Err(error) => return Some(Err(error)),
         };
         let name = names.name(&point);
-        if store.lock().unwrap_or_else(PoisonError::into_inner).take(&name) {
-            Some(Ok((name, point)))
-        } else {
-            had.fetch_add(1, Ordering::Relaxed);
-            None
+        let mut store = store.lock().unwrap_or_else(PoisonError::into_inner);
+        if store.take(&name) {
+            return Some(Ok((number, name, point)));
         }
+        had.fetch_add(1, Ordering::Relaxed);
+        // One that is being solved under another number has no results yet.
+        let kept = store.get(&name).transpose()?;
+        let told = |kept: Kept| log.lock().unwrap_or_else(PoisonError::into_inner).row(number, &point, &kept);
+        kept.and_then(told).err().map(Err)
     });
-    let work =
-        |worker: &mut crate::Worker<'_>, (name, point): (Name, Vec<Cell>)| -> Result<Kept, StudyError> {
-            let (kept, made) = solved(worker, &things, name, &point);
-            // A disk that is full is no property of the point.
-            made.iter().flatten().try_for_each(|thing| thing.write(folder))?;
-            Ok(kept)
-        };
-    let swept = pool::each(&prepared, settings.workers, tasks, work, |kept| {
-        let kept = kept?;
+    let work = |worker: &mut crate::Worker<'_>,
+                (number, name, point): (u64, Name, Vec<Cell>)|
+     -> Result<(u64, Vec<Cell>, Kept), StudyError> {
+        let (kept, made) = solved(worker, &things, name, &point);
+        // A disk that is full is no property of the point.
+        made.iter().flatten().try_for_each(|thing| thing.write(folder))?;
+        Ok((number, point, kept))
+    };
+    let swept = pool::each(&prepared, settings.workers, tasks, work, |solved| {
+        let (number, point, kept) = solved?;
         // What was cancelled half-way is no result.
         if cancelled() {
             return Err(StudyError::Stopped);
         }
         store.lock().unwrap_or_else(PoisonError::into_inner).keep(&kept)?;
+        log.lock().unwrap_or_else(PoisonError::into_inner).row(number, &point, &kept)?;
         progress.solved += 1;
         progress.failed += u64::from(!kept.outcome.status.is_good());
         progress.had = had.load(Ordering::Relaxed);
@@ -125,6 +136,7 @@ pub fn sweep(
     tell(&progress);
     let mut get = |point: &[Cell]| store.get(&names.name(point));
     let (files, failed_rows) = table::write(plan, folder, &mut get)?;
+    log.into_inner().unwrap_or_else(PoisonError::into_inner).finish()?;
     Ok(Summary { progress, failed_rows, files })
 }
 

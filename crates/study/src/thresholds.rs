@@ -14,6 +14,20 @@ pub const MOST_CELL_ITEMS: usize = 10_000;
 pub const MOST_CELL_BYTES: usize = 1 << 16;
 /// The most bytes of one record of a store; what claims more is damage.
 pub const MOST_RECORD_BYTES: u32 = 1 << 26;
+/// The most bytes of `study.json`: a definition's inputs come nowhere near.
+pub const MOST_ABOUT_BYTES: u64 = 16 << 20;
+/// The most columns of a table that is looked at.
+pub const MOST_COLUMNS: usize = 1000;
+/// The most rows of a table that is looked at: reading more takes minutes.
+pub const MOST_TABLE_ROWS: usize = 20_000_000;
+/// The most different texts of an axis.
+pub const MOST_WORDS: usize = 30;
+/// The most axes of a parallel plot.
+pub const MOST_AXES: usize = 24;
+/// The most bytes of a text that are shown of a cell.
+pub const MOST_SHOWN_BYTES: usize = 500;
+/// How long rows of a study that is made may wait before others can read them.
+pub const TELL_EVERY: Duration = Duration::from_millis(200);
 /// How long results may be in the system's hands only, before they are written through to the disk.
 pub const SYNC_EVERY: Duration = Duration::from_secs(1);
 /// How long a point may take when nobody says so.

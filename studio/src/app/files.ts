@@ -31,14 +31,14 @@ export function token(): string {
   return new URLSearchParams(location.search).get("token") ?? "";
 }
 
-function address(path: string, query: Record<string, string> = {}): string {
+export function address(path: string, query: Record<string, string> = {}): string {
   const url = new URL(path, location.href);
   const all = token() ? { ...query, token: token() } : query;
   url.search = new URLSearchParams(all).toString();
   return url.toString();
 }
 
-async function checked(response: Response): Promise<Response> {
+export async function checked(response: Response): Promise<Response> {
   if (response.ok) return response;
   const said = (await response.json().catch(() => undefined)) as { error?: string } | undefined;
   throw new Error(said?.error ?? t("files.failed", { status: response.status }));

@@ -2,11 +2,12 @@
 import { app } from "./en/app";
 import { canvas } from "./en/canvas";
 import { canvasMore } from "./en/canvasMore";
+import { effects } from "./en/effects";
 import { pick } from "./en/pick";
 import { script } from "./en/script";
 import { study } from "./en/study";
 import { viewport } from "./en/viewport";
 
-export const en = { ...app, ...canvas, ...canvasMore, ...pick, ...script, ...study, ...viewport } as const;
+export const en = { ...app, ...canvas, ...canvasMore, ...effects, ...pick, ...script, ...study, ...viewport } as const;
 
 export type Key = keyof typeof en;

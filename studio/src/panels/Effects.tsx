@@ -40,14 +40,14 @@ export function Effects() {
     void showMotion(undefined);
     look(undefined);
   }, []);
-  if (isInside) return <p>{t("study.inside")}</p>;
-  if (!object || !port) return <p>{t("study.choose")}</p>;
+  if (isInside) return <p>{t("effects.inside")}</p>;
+  if (!object || !port) return <p>{t("effects.choose")}</p>;
   return (
     <>
       <h3>{title(object)}</h3>
       {ports.length > 1 && (
         <label>
-          {t("study.of")}{" "}
+          {t("effects.of")}{" "}
           <select value={port.id} onChange={(event) => look(event.target.value)}>
             {ports.map((one) => (
               <option key={one.id} value={one.id}>
@@ -71,25 +71,25 @@ function Ask() {
   return (
     <>
       <div className="row">
-        <button type="button" title={t("study.hereHelp")} disabled={busy !== undefined} onClick={() => void findEffects(false)}>
-          {t("study.here")}
+        <button type="button" title={t("effects.hereHelp")} disabled={busy !== undefined} onClick={() => void findEffects(false)}>
+          {t("effects.here")}
         </button>
-        <button type="button" title={t("study.rangesHelp")} disabled={busy !== undefined} onClick={() => void findEffects(true)}>
-          {t("study.ranges")}
+        <button type="button" title={t("effects.rangesHelp")} disabled={busy !== undefined} onClick={() => void findEffects(true)}>
+          {t("effects.ranges")}
         </button>
       </div>
       <p role="status">
         {busy && (
           <>
-            {t("study.busy")}{" "}
+            {t("effects.busy")}{" "}
             <button type="button" onClick={() => void ask({ ask: "endStudy" }).catch(() => {})}>
-              {t("study.stop")}
+              {t("effects.stop")}
             </button>
           </>
         )}
         {!busy && refused}
-        {!busy && !refused && effects && t("study.value", { value: short(effects.value) })}
-        {!busy && effects && of && of.revision !== revision && ` ${t("study.stale")}`}
+        {!busy && !refused && effects && t("effects.value", { value: short(effects.value) })}
+        {!busy && effects && of && of.revision !== revision && ` ${t("effects.stale")}`}
       </p>
     </>
   );
@@ -99,16 +99,16 @@ function Here() {
   const effects = useStore(studyStore, (study) => study.effects);
   const motion = useStore(studyStore, (study) => study.motion);
   if (!effects) return null;
-  if (effects.here.length === 0) return <p>{t("study.none")}</p>;
+  if (effects.here.length === 0) return <p>{t("effects.none")}</p>;
   return (
     <section>
-      <h4>{t("study.here")}</h4>
+      <h4>{t("effects.here")}</h4>
       <table className="effects">
         <thead>
           <tr>
-            <th scope="col">{t("study.input")}</th>
-            <th scope="col">{t("study.change")}</th>
-            <th scope="col">{t("study.holds")}</th>
+            <th scope="col">{t("effects.input")}</th>
+            <th scope="col">{t("effects.change")}</th>
+            <th scope="col">{t("effects.holds")}</th>
           </tr>
         </thead>
         <tbody>
@@ -117,7 +117,7 @@ function Here() {
           ))}
         </tbody>
       </table>
-      {motion && motion.view.leftOut.length > 0 && <p className="soft">{t("study.motionLeft", { n: motion.view.leftOut.length })}</p>}
+      {motion && motion.view.leftOut.length > 0 && <p className="soft">{t("effects.motionLeft", { n: motion.view.leftOut.length })}</p>}
     </section>
   );
 }
@@ -133,8 +133,8 @@ function HereRow({ here, isShown }: { here: HereView; isShown: boolean }) {
             type="button"
             className="link"
             aria-pressed={isShown}
-            aria-label={t("study.motion", { name: nameOf(here) })}
-            title={t("study.motion", { name: nameOf(here) })}
+            aria-label={t("effects.motion", { name: nameOf(here) })}
+            title={t("effects.motion", { name: nameOf(here) })}
             onClick={() => void showMotion(isShown ? undefined : input)}
           >
             {isShown ? "↗ " : ""}
@@ -148,9 +148,9 @@ function HereRow({ here, isShown }: { here: HereView; isShown: boolean }) {
       <td>
         {holds && (
           <>
-            {t("study.from", { from: short(holds[0].at), to: short(holds[1].at) })}
+            {t("effects.from", { from: short(holds[0].at), to: short(holds[1].at) })}
             {holds.filter((end) => !end.isLimit).map((end) => (
-              <small key={end.at}>{t("study.why", { at: short(end.at), why: end.why })}</small>
+              <small key={end.at}>{t("effects.why", { at: short(end.at), why: end.why })}</small>
             ))}
           </>
         )}
@@ -168,12 +168,12 @@ function nameOf({ input, name }: { input: HereView["input"]; name: string }): st
 
 /** How a number changes, in words. Exported for tests. */
 export function slopeText(slope: HereView["slope"]): string {
-  const one = (by: DerivativeView | null) => (by ? t("study.even", { value: short(by.value), error: by.error.toPrecision(1) }) : t("study.nothing"));
-  const step = (by: number | null) => (by === null ? t("study.nothing") : short(by));
+  const one = (by: DerivativeView | null) => (by ? t("effects.even", { value: short(by.value), error: by.error.toPrecision(1) }) : t("effects.nothing"));
+  const step = (by: number | null) => (by === null ? t("effects.nothing") : short(by));
   if (slope.is === "even") return one(slope.by);
-  if (slope.is === "corner") return t("study.corner", { left: one(slope.left), right: one(slope.right) });
-  if (slope.is === "steps") return t("study.steps", { down: step(slope.down), up: step(slope.up) });
-  return t("study.jump");
+  if (slope.is === "corner") return t("effects.corner", { left: one(slope.left), right: one(slope.right) });
+  if (slope.is === "steps") return t("effects.steps", { down: step(slope.down), up: step(slope.up) });
+  return t("effects.jump");
 }
 
 function Ranges() {
@@ -183,13 +183,13 @@ function Ranges() {
   const sorted = [...effects.ranged].sort((a, b) => (b.share?.total[0] ?? 0) - (a.share?.total[0] ?? 0));
   return (
     <section>
-      <h4>{t("study.ranges")}</h4>
+      <h4>{t("effects.ranges")}</h4>
       <table className="effects">
         <thead>
           <tr>
-            <th scope="col">{t("study.input")}</th>
-            <th scope="col">{t("study.share")}: {t("study.alone")}</th>
-            <th scope="col">{t("study.total")}</th>
+            <th scope="col">{t("effects.input")}</th>
+            <th scope="col">{t("effects.share")}: {t("effects.alone")}</th>
+            <th scope="col">{t("effects.total")}</th>
           </tr>
         </thead>
         <tbody>
@@ -202,14 +202,14 @@ function Ranges() {
           ))}
         </tbody>
       </table>
-      <p className="soft">{t("study.points", { points, failed })}</p>
+      <p className="soft">{t("effects.points", { points, failed })}</p>
     </section>
   );
 }
 
 /** A share as a bar and in numbers, with its confidence. */
 function Share({ of: { share }, which }: { of: RangedView; which: "alone" | "total" }) {
-  if (!share) return <>{t("study.nothing")}</>;
+  if (!share) return <>{t("effects.nothing")}</>;
   const [value, confidence] = share[which];
   const percent = (part: number) => Math.round(part * 100);
   return (
@@ -240,21 +240,21 @@ function Wanted() {
   };
   return (
     <section>
-      <h4>{t("study.wanted")}</h4>
-      <p className="soft">{t("study.wantedHelp")}</p>
+      <h4>{t("effects.wanted")}</h4>
+      <p className="soft">{t("effects.wantedHelp")}</p>
       <form className="row" onSubmit={find}>
         <label>
-          {t("study.wantedLabel")}{" "}
+          {t("effects.wantedLabel")}{" "}
           <input type="text" inputMode="decimal" value={text} aria-invalid={isWrong} onChange={({ target }) => setText(target.value)} />
         </label>
         <button type="submit" disabled={busy !== undefined}>
-          {t("study.find")}
+          {t("effects.find")}
         </button>
       </form>
-      {isWrong && <p role="alert">{t("study.wrong")}</p>}
+      {isWrong && <p role="alert">{t("effects.wrong")}</p>}
       {even.length > 0 && (
         <fieldset>
-          <legend>{t("study.moves")}</legend>
+          <legend>{t("effects.moves")}</legend>
           {even.map((here) => (
             <label key={keyOf(here.input)} className="effects-check">
               <input type="checkbox" checked={!fixed.has(keyOf(here.input))} onChange={({ target }) => toggle(keyOf(here.input), target.checked)} />
@@ -263,11 +263,11 @@ function Wanted() {
           ))}
         </fieldset>
       )}
-      <label className="effects-check" title={t("study.dragHelp")}>
+      <label className="effects-check" title={t("effects.dragHelp")}>
         <input type="checkbox" checked={drags} onChange={({ target }) => set({ drags: target.checked })} />
-        {t("study.drag")}
+        {t("effects.drag")}
       </label>
-      <p role="status">{solved && t("study.found", { numbers: solved.numbers.map(short).join(", "), off: short(solved.off) })}</p>
+      <p role="status">{solved && t("effects.found", { numbers: solved.numbers.map(short).join(", "), off: short(solved.off) })}</p>
     </section>
   );
 }

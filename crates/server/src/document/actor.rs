@@ -86,8 +86,19 @@ impl Actor {
     /// Starts the worker and the first solve.
     pub(super) fn new(source: Source, shared: Arc<Shared>, own: Sender<Command>) -> Self {
         let files = shared.trust.files(source.origin());
-        let Source { document, name, path, hash, fingerprint, rules, model, is_locked, is_passing, id } =
-            source;
+        let Source {
+            document,
+            name,
+            path,
+            copy_of: _,
+            hash,
+            fingerprint,
+            rules,
+            model,
+            is_locked,
+            is_passing,
+            id,
+        } = source;
         let journals = shared.journals.as_deref().filter(|_| !is_passing);
         let (mut editor, keeper) = Keeper::open(document, rules, journals, &id, path.as_deref(), hash);
         editor.about_mut().name = name;

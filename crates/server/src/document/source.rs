@@ -23,6 +23,8 @@ pub(crate) struct Source {
     pub(crate) name: String,
     /// Where it is kept.
     pub(crate) path: Option<PathBuf>,
+    /// Where a copy was read from, which is kept nowhere yet: it may read the files that its original may.
+    pub(crate) copy_of: Option<PathBuf>,
     /// The bytes that it was read from.
     pub(crate) hash: Option<blake3::Hash>,
     /// What trust in its scripts goes by: the hash of the bytes that were read or sent.
@@ -50,6 +52,7 @@ impl Source {
             document: Document::new(),
             name: String::new(),
             path: None,
+            copy_of: None,
             hash: None,
             fingerprint: None,
             rules: Rules { now: now(), ..Rules::default() },
@@ -106,9 +109,24 @@ impl Source {
         self
     }
 
+    /// The same beside the Rhino model of a file.
+    pub(crate) fn with_model(self, path: &Path) -> Result<Self, String> {
+        let bytes =
+            std::fs::read(path).map_err(|error| format!("{}: {}", path.display(), files::plain(&error)))?;
+        let model = RhinoModel::read(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        Ok(self.beside(name, model))
+    }
+
+    /// A document of its own with what is in it, under another name: it is not saved over its original.
+    pub(crate) fn copied(self, name: String) -> Self {
+        let (copy_of, id) = (self.path, chance());
+        Self { name, id, copy_of, path: None, hash: None, ..self }
+    }
+
     /// Where it comes from, as far as that decides which files it may read.
     pub(crate) fn origin(&self) -> Origin<'_> {
-        self.path.as_deref().map_or(Origin::Sent, Origin::File)
+        self.path.as_deref().or(self.copy_of.as_deref()).map_or(Origin::Sent, Origin::File)
     }
 
     fn with_units(mut self, units: Option<Units>) -> Self {

@@ -23,15 +23,17 @@ use crate::document::{Attached, Command, Source, left_behind};
 use crate::files;
 use crate::files::{Form, Gallery, Wishes};
 
-type Answer<T> = Result<T, Refused>;
-type Question<T> = Result<Query<T>, QueryRejection>;
+pub(super) type Answer<T> = Result<T, Refused>;
+pub(super) type Question<T> = Result<Query<T>, QueryRejection>;
 
-fn asked<T>(query: Question<T>) -> Answer<T> {
+pub(super) fn asked<T>(query: Question<T>) -> Answer<T> {
     query.map(|Query(query)| query).map_err(|error| Refused::bad(error.body_text()))
 }
 
 /// Work that blocks, away from the threads that serve.
-async fn blocking<T: Send + 'static>(work: impl FnOnce() -> Result<T, String> + Send + 'static) -> Answer<T> {
+pub(super) async fn blocking<T: Send + 'static>(
+    work: impl FnOnce() -> Result<T, String> + Send + 'static,
+) -> Answer<T> {
     let failed = || Refused::new(StatusCode::INTERNAL_SERVER_ERROR, "this failed: please report it");
     tokio::task::spawn_blocking(work).await.map_err(|_| failed())?.map_err(Refused::bad)
 }
@@ -171,7 +173,7 @@ pub(crate) async fn portrait(
     Ok((headers, Body::from(bytes)).into_response())
 }
 
-async fn opened(state: &State, source: Source) -> Answer<Json<Value>> {
+pub(super) async fn opened(state: &State, source: Source) -> Answer<Json<Value>> {
     if state.documents.is_full() {
         state.documents.close_idle().await;
     }

@@ -93,7 +93,7 @@ impl Guard {
 
     /// Whether a request for the page brings the ticket, which is used up by that.
     fn takes_ticket(&self, method: &Method, uri: &Uri) -> bool {
-        if *method != Method::GET || uri.path() != "/" {
+        if *method != Method::GET || !matches!(uri.path(), "/" | "/study") {
             return false;
         }
         let mut ticket = held(&self.ticket);

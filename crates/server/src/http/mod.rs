@@ -7,6 +7,7 @@ mod guard;
 mod learn;
 mod page;
 mod socket;
+mod study;
 
 use std::sync::Arc;
 
@@ -22,6 +23,7 @@ use crate::files::{Portraits, Recent};
 pub(crate) use documents::Documents;
 pub(crate) use guard::Guard;
 pub(crate) use page::has_page;
+pub(crate) use study::Study;
 
 /// What all requests share.
 #[derive(Debug)]
@@ -30,6 +32,7 @@ pub(crate) struct State {
     pub(crate) documents: Documents,
     pub(crate) shared: Arc<Shared>,
     pub(crate) book: learn::Shelf,
+    pub(crate) study: Option<Arc<Study>>,
     most_upload: usize,
 }
 
@@ -37,7 +40,7 @@ pub(crate) struct State {
 const MOST_QUESTION: usize = 64 << 10;
 
 impl State {
-    pub(crate) fn new(config: Config, port: u16) -> Self {
+    pub(crate) fn new(config: Config, port: u16, study: Option<Study>) -> Self {
         let shared = Arc::new(Shared {
             portraits: Portraits::new(config.state.as_deref()),
             recent: Some(Recent::new(config.state.as_deref())),
@@ -51,6 +54,7 @@ impl State {
             documents: Documents::new(Arc::clone(&shared), config.most_documents),
             shared,
             book: learn::Shelf::new(config.book.clone()),
+            study: study.map(Arc::new),
             most_upload: config.most_upload,
         }
     }
@@ -71,6 +75,10 @@ pub(crate) fn router(state: Arc<State>) -> Router {
         .route("/api/export", get(api::export))
         .route("/api/components", get(api::components))
         .route("/api/help", get(api::help))
+        .route("/study", get(page::study))
+        .route("/api/study", get(study::rows))
+        .route("/api/study/open", post(study::open))
+        .route("/api/study/file/{*name}", get(study::file))
         .route("/geometry/{hash}", get(api::geometry))
         .route("/image/{hash}", get(api::image))
         .route("/socket", get(socket::join))

@@ -31,7 +31,16 @@ pub(crate) async fn serve(method: Method, uri: Uri) -> Response {
     // Names are those that were embedded: nothing leads out of the folder, in debug builds neither.
     let is_plain = path.split('/').all(|part| !part.is_empty() && !part.starts_with('.'))
         && !path.contains(['\\', '%', '\0', ':']);
-    match Page::get(path).filter(|_| is_plain) {
+    file(if is_plain { path } else { "" })
+}
+
+/// The page on a study.
+pub(crate) async fn study() -> Response {
+    file("study.html")
+}
+
+fn file(path: &str) -> Response {
+    match Page::get(path) {
         Some(file) => {
             // Files of the page have the hash of what is in them in their names.
             let lasting = path.starts_with("assets/");
@@ -40,7 +49,7 @@ pub(crate) async fn serve(method: Method, uri: Uri) -> Response {
             ([(CONTENT_TYPE, kind), (CACHE_CONTROL, cache.to_owned())], Body::from(file.data.into_owned()))
                 .into_response()
         }
-        None if path == "index.html" => {
+        None if matches!(path, "index.html" | "study.html") => {
             let kind = "text/html; charset=utf-8";
             (StatusCode::SERVICE_UNAVAILABLE, [(CONTENT_TYPE, kind)], MISSING).into_response()
         }

@@ -2,12 +2,14 @@
 
 mod cma;
 mod eigen;
+mod front;
 mod galapagos;
 mod goals;
 mod nsga2;
 mod run;
 mod search;
 
+pub(crate) use front::front;
 pub use galapagos::galapagos;
 pub use goals::{Bound, Constraint, Goal, Objective};
 pub use run::{Best, Method, OptimiseSettings, Optimum, optimise};

@@ -14,11 +14,14 @@ use super::goals::{Constraint, Objective, scored};
 use super::nsga2::{Nsga2, dominates};
 use super::search::{Scored, Search, order};
 use crate::effects::sample::Space;
+use crate::folder::Log;
 use crate::record::{Kept, Name};
 use crate::store::Store;
 use crate::sweep::{Names, open_store};
 use crate::thresholds::{MOST_EVALUATIONS, REPEATS};
-use crate::{Cell, Outcome, Output, Plan, Prepared, Progress, Settings, StudyError, Variable, pool, table};
+use crate::{
+    About, Cell, Outcome, Output, Plan, Prepared, Progress, Settings, StudyError, Variable, pool, table,
+};
 
 /// How the best is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -99,10 +102,13 @@ pub fn optimise(
     };
     let plan = Plan::listed(variables.clone(), outputs.clone(), Vec::new());
     let store = open_store(&plan, folder, &settings.study)?;
+    let most = settings.evaluations as u64;
+    let about = About::new(settings.study.definition.as_ref(), &variables, &outputs, most);
+    let log = Log::begin(folder, &about.searching(&settings.objectives, &settings.constraints))?;
     let options = Options { cancel: settings.study.cancel.clone(), skip_unread: true, ..options };
     let prepared = Prepared::new(document, options, variables.clone(), outputs.clone());
     let store = Mutex::new(store);
-    let (send, receive) = channel::<(Name, Vec<Cell>)>();
+    let (send, receive) = channel::<Asked>();
     let mut turn = Turn {
         settings,
         space,
@@ -118,6 +124,7 @@ pub fn optimise(
         best: None,
         had: 0,
         ended: String::new(),
+        log,
     };
     turn.go_on(&store)?;
     let mut progress = Progress { points: settings.evaluations as u64, ..Progress::default() };
@@ -125,13 +132,17 @@ pub fn optimise(
         &prepared,
         settings.study.workers,
         receive.into_iter().map(Ok),
-        |worker, (name, point)| Kept { name, outcome: worker.solve(&point), files: Default::default() },
-        |kept: Kept| {
+        |worker, (number, name, point): Asked| {
+            let kept = Kept { name, outcome: worker.solve(&point), files: Default::default() };
+            (number, point, kept)
+        },
+        |(number, point, kept)| {
             let mut take = || {
                 if settings.study.cancel.is_cancelled() {
                     return Err(StudyError::Stopped);
                 }
                 store.lock().unwrap_or_else(PoisonError::into_inner).keep(&kept)?;
+                turn.log.row(number, &point, &kept)?;
                 progress.solved += 1;
                 progress.failed += u64::from(!kept.outcome.status.is_good());
                 turn.known.insert(kept.name, kept.outcome.clone());
@@ -157,7 +168,9 @@ pub fn optimise(
     let names = Names::of(&plan);
     let plan = Plan::listed(variables, outputs, turn.points.clone());
     let (files, _) = table::write(&plan, folder, &mut |point| store.get(&names.name(point)))?;
-    Ok(Optimum { best: turn.front(), progress, ended: turn.ended, files })
+    let best = turn.front();
+    turn.log.finish()?;
+    Ok(Optimum { best, progress, ended: turn.ended, files })
 }
 
 fn check(settings: &OptimiseSettings, variables: &[Variable]) -> Result<(), StudyError> {
@@ -176,6 +189,9 @@ fn check(settings: &OptimiseSettings, variables: &[Variable]) -> Result<(), Stud
     Ok(())
 }
 
+/// A point that is to be solved: its row in the table, its name and its inputs.
+type Asked = (u64, Name, Vec<Cell>);
+
 /// Where a search is.
 struct Turn<'a> {
     settings: &'a OptimiseSettings,
@@ -183,7 +199,7 @@ struct Turn<'a> {
     names: Names,
     search: Box<dyn Search>,
     /// Where points to be solved go; `None` when there are no more.
-    send: Option<Sender<(Name, Vec<Cell>)>>,
+    send: Option<Sender<Asked>>,
     /// All different points, in the order in which they were asked for.
     points: Vec<Vec<Cell>>,
     known: HashMap<Name, Outcome>,
@@ -198,6 +214,7 @@ struct Turn<'a> {
     best: Option<Scored>,
     had: u64,
     ended: String,
+    log: Log,
 }
 
 impl Turn<'_> {
@@ -251,17 +268,19 @@ impl Turn<'_> {
                 if self.points.len() >= self.settings.evaluations {
                     continue;
                 }
+                let number = self.points.len() as u64;
                 self.points.push(point.clone());
                 let mut store = store.lock().unwrap_or_else(PoisonError::into_inner);
                 match store.get(&name)? {
                     Some(kept) => {
                         self.had += 1;
+                        self.log.row(number, &point, &kept)?;
                         self.known.insert(name, kept.outcome);
                     }
                     None => {
                         store.take(&name);
                         if let Some(send) = &self.send
-                            && send.send((name, point)).is_ok()
+                            && send.send((number, name, point)).is_ok()
                         {
                             self.waiting += 1;
                         }

@@ -2,7 +2,7 @@
 
 mod axis;
 mod file;
-mod rows;
+pub(crate) mod rows;
 pub(crate) mod sampling;
 pub(crate) mod sobol;
 

@@ -19,7 +19,7 @@ fn is_parquet(path: &Path) -> bool {
 ///
 /// # Errors
 /// The file cannot be read.
-pub(super) fn look(path: &Path) -> Result<(Vec<String>, u64), StudyError> {
+pub(crate) fn look(path: &Path) -> Result<(Vec<String>, u64), StudyError> {
     let failed = |error: &dyn std::fmt::Display| StudyError::file(path, error);
     if is_parquet(path) {
         let file = File::open(path).map_err(|error| failed(&error))?;
@@ -44,7 +44,7 @@ pub(super) fn look(path: &Path) -> Result<(Vec<String>, u64), StudyError> {
 ///
 /// # Errors
 /// An input has no column.
-pub(super) fn columns(header: &[String], wanted: &[&str]) -> Result<Vec<(usize, String)>, StudyError> {
+pub(crate) fn columns(header: &[String], wanted: &[&str]) -> Result<Vec<(usize, String)>, StudyError> {
     let plain = |name: &str| {
         let (mark, rest) = name.split_at_checked(3)?;
         (mark.eq_ignore_ascii_case("in:") || mark.eq_ignore_ascii_case("in.")).then(|| rest.to_owned())
@@ -69,7 +69,7 @@ pub(super) fn columns(header: &[String], wanted: &[&str]) -> Result<Vec<(usize, 
 ///
 /// # Errors
 /// The file cannot be read; so may each row.
-pub(super) fn read(path: &Path, columns: Vec<usize>) -> Result<Rows, StudyError> {
+pub(crate) fn read(path: &Path, columns: Vec<usize>) -> Result<Rows, StudyError> {
     let owned = path.to_path_buf();
     if is_parquet(path) {
         let file = File::open(path).map_err(|error| StudyError::file(path, error))?;

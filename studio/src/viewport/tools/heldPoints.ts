@@ -87,7 +87,7 @@ function wanted(object: ObjectView, output: string, rows: readonly Row[]): HeldP
       const answer = await ask({ ask: "solveFor", wants, with: movableInputs(), quick: !done, gesture });
       if (answer.event !== "solved") return undefined;
       studyStore.setState({ solved: answer.solved });
-      return t("study.off", { off: Number(answer.solved.off.toPrecision(3)) });
+      return t("effects.off", { off: Number(answer.solved.off.toPrecision(3)) });
     },
   };
 }
