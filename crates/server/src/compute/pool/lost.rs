@@ -24,8 +24,9 @@ impl Lost {
         self.0.insert(ticket, now);
     }
 
-    pub(super) fn is_back(&mut self, ticket: Ticket) {
-        self.0.remove(&ticket);
+    /// Whether it had been given up; it is back now.
+    pub(super) fn is_back(&mut self, ticket: Ticket) -> bool {
+        self.0.remove(&ticket).is_some()
     }
 
     pub(super) fn count(&self) -> usize {
@@ -52,7 +53,7 @@ mod tests {
         lost.add(tickets[1], now + Lost::SOON);
         assert_eq!((lost.count(), lost.stuck(now)), (2, 0));
         assert_eq!(lost.stuck(now + Lost::SOON), 1);
-        lost.is_back(tickets[0]);
+        assert!(lost.is_back(tickets[0]) && !lost.is_back(tickets[0]));
         assert_eq!((lost.count(), lost.stuck(now + Lost::SOON)), (1, 0));
         assert_eq!(lost.stuck(now + 2 * Lost::SOON), 1);
         assert!(lost.has_room());

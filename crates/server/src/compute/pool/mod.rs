@@ -286,12 +286,13 @@ fn work_on(shared: &Weak<Shared>, row: Row) {
             shared.failed.fetch_add(1, Ordering::Relaxed);
         }
         let mut inner = held(&shared.queue);
-        if let Ok(Some(Again(lane, rest))) = done {
-            inner.queue.set_back(ticket, lane, rest);
-        } else if inner.queue.end(ticket).is_none() {
-            // It has a substitute.
-            inner.lost.is_back(ticket);
+        if inner.lost.is_back(ticket) {
+            // It has a substitute, and nobody waits for what may be left to do.
             return;
+        }
+        match done {
+            Ok(Some(Again(lane, rest))) => inner.queue.set_back(ticket, lane, rest),
+            _ => drop(inner.queue.end(ticket)),
         }
         // There is a place now that another thread may be the one to fill.
         shared.wake_front.notify_one();
