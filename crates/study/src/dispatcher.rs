@@ -12,8 +12,8 @@ use crate::store::Store;
 use crate::sweep::{Names, open_store};
 use crate::thresholds::LEAST_HAND_OUT;
 use crate::{
-    About, Cell, DefinitionFile, Outcome, Plan, PlanPoints, Prepared, Progress, Settings, Status, StudyError, Summary, Thing,
-    Things, plan, pool, table,
+    About, Cell, DefinitionFile, Outcome, Plan, PlanPoints, Prepared, Progress, Settings, Status, StudyError,
+    Summary, Thing, Things, plan, pool, table,
 };
 
 /// Hands out the points of a study that are not solved, takes their results, and writes the tables.
