@@ -18,6 +18,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 OWN = ("LICENSE-APACHE", "LICENSE-MIT")
 #: How files of licences begin.
 WORDS = ("license", "licence", "copying", "copyright", "notice", "unlicense")
+#: A text has more characters than this.
+SHORTEST = 200
 
 
 def cargo(*words):
@@ -63,8 +65,23 @@ def texts(package):
         path = os.path.join(folder, name)
         if name.lower().startswith(WORDS) and os.path.isfile(path) and not name.endswith((".rs", ".toml", ".html")):
             with open(path, encoding="utf-8", errors="replace") as file:
-                found[name] = file.read().replace("\r\n", "\n").strip()
+                text = file.read().replace("\r\n", "\n").strip()
+            # Some archives have the path of a text above their folder, which is not in them.
+            if len(text) > SHORTEST:
+                found[name] = text
     return found
+
+
+def common(package):
+    """The text of a licence whose words are the same for all, for a package without one."""
+    name = "LICENSE-APACHE" if "Apache-2.0" in package["license"] else "LICENSE-MIT"
+    with open(os.path.join(ROOT, name), encoding="utf-8") as file:
+        text = file.read().strip()
+    if name == "LICENSE-MIT":
+        # Its first lines name the holder.
+        holder = "Copyright (c) %s" % (", ".join(name.split(" <")[0] for name in package["authors"]) or "the authors of %s" % package["name"])
+        text = "\n".join(holder if line.startswith("Copyright") else line for line in text.split("\n"))
+    return {name: text}
 
 
 def document(what, crates, npm=()):
@@ -78,14 +95,14 @@ def document(what, crates, npm=()):
         own = texts(one)
         note = "" if own else "; its archive has no text; by %s" % (", ".join(one["authors"]) or "its authors")
         if not own and "Apache-2.0" in licence:
-            # The text is the same for all, so that the one of this project does.
-            with open(os.path.join(ROOT, "LICENSE-APACHE"), encoding="utf-8") as file:
-                own = {"LICENSE-APACHE": file.read().strip()}
+            own = common(one)
         if not own:
             # Of the same authors under the same licence: the text of their other crate is the one.
             kin = (texts(other) for other in found
                    if one["authors"] and (other["authors"], other["license"]) == (one["authors"], licence))
             own = next((text for text in kin if text), {})
+        if not own and "MIT" in licence:
+            own = common(one)
         parts.append("%s %s: %s%s" % (one["name"], one["version"], licence, note))
         for text in own.values():
             holders.setdefault(text, []).append("%s %s" % (one["name"], one["version"]))

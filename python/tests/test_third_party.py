@@ -27,6 +27,9 @@ def test_every_crate_is_named_and_has_a_text():
         own = module.texts(one)
         # Nothing but a name is no text.
         assert not own or max(map(len, own.values())) > 500, one["name"]
+    # One whose archive has only the path of its text stands over the words that all texts of its licence have.
+    lone = next(one for one in found if one["name"] == "plotters")
+    assert "Hao Hou" in module.common(lone)["LICENSE-MIT"] and not module.texts(lone)
     # Names stand at the top, and each crate over a text.
     for one in found:
         assert text.count("%s %s" % (one["name"], one["version"])) >= 2, one["name"]
