@@ -12,6 +12,8 @@ import katydid
 from katydid import studies
 
 SEEDS = range(1, 6)
+#: Where a population may end at one end of the front, as with 30 inputs, medians of five runs say little.
+MORE_SEEDS = range(1, 12)
 NAMES = {6: "abcdeh", 30: ["v%d" % k for k in range(30)]}
 #: Behind (1.1, 1.1): the square of 1.1 less what lies below the front and beside it.
 WHOLE = {1: 1.21 - 1 / 3, 2: 1.21 - 2 / 3, 3: 1.33176}
@@ -62,7 +64,7 @@ def test_nsga2_reaches_the_front_that_pymoo_reaches(tmp_path, kind, n, size, sol
     from pymoo.optimize import minimize
     file, space = zdt(tmp_path, kind, n)
     ours, theirs = [], []
-    for seed in SEEDS:
+    for seed in SEEDS if n < 30 else MORE_SEEDS:
         table = optimise(file, tmp_path / ("ours%d" % seed), "--minimise", "f", "--minimise", "z", "--method", "nsga2",
                          "--population", size, "--evaluations", solves, "--seed", seed)
         assert len(table) <= solves
