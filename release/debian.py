@@ -107,6 +107,9 @@ def make():
         for file in root.rglob("*"):
             if file != root / "usr/bin/katydid":
                 file.chmod(0o755 if file.is_dir() else 0o644)
-        told("dpkg-deb", "--root-owner-group", "-Zxz", "--build", root, path,
+        # Packing takes a minute: what is stopped in it leaves no half of a package.
+        packed_file = Path(folder, path.name)
+        told("dpkg-deb", "--root-owner-group", "-Zxz", "--build", root, packed_file,
              env={**os.environ, "SOURCE_DATE_EPOCH": str(date())})
+        shutil.move(packed_file, path)
     return [path]

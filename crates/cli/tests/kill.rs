@@ -8,10 +8,11 @@
     reason = "a test may fail loudly"
 )]
 
-use std::io::{BufRead, BufReader};
+mod common;
+
 use std::net::TcpStream;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
@@ -32,17 +33,10 @@ struct Studio {
 
 impl Studio {
     fn start(file: &Path, state: &Path) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_katydid"))
-            .args(["studio", "--no-open", "--port", "0"])
-            .arg(file)
-            .env("XDG_STATE_HOME", state)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        let mut url = String::new();
-        BufReader::new(child.stdout.take().unwrap()).read_line(&mut url).unwrap();
-        let socket = url.trim().replace("http://", "ws://").replace("/?", "/socket?");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_katydid"));
+        command.args(["studio", "--no-open", "--port", "0"]).arg(file).env("XDG_STATE_HOME", state);
+        let (child, url) = common::listening(&mut command);
+        let socket = url.replace("http://", "ws://").replace("/?", "/socket?");
         let (socket, _) = tungstenite::connect(socket).unwrap();
         Self { child, socket, seq: 0 }
     }

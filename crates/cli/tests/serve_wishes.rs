@@ -7,7 +7,6 @@
 
 mod common;
 
-use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -97,18 +96,10 @@ fn it_needs_nothing_around_it() {
     let folder = tempfile::tempdir().unwrap();
     let algo = packed(SUM, folder.path());
     let empty = tempfile::tempdir().unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_katydid"))
-        .args(["serve", "--port", "0"])
-        .env_clear()
-        .current_dir(empty.path())
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut url = String::new();
-    BufReader::new(child.stdout.take().unwrap()).read_line(&mut url).unwrap();
-    let host = url.trim().trim_start_matches("http://").trim_end_matches('/').to_owned();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_katydid"));
+    command.args(["serve", "--port", "0"]).env_clear().current_dir(empty.path()).stdin(Stdio::null());
+    let (child, url) = common::listening(&mut command);
+    let host = common::host_of(&url);
     let server = Server { child, host };
     assert_eq!(server.solve(&algo, 4.0).number(), 7.0);
     assert_eq!(std::fs::read_dir(empty.path()).unwrap().count(), 0, "it leaves nothing behind");

@@ -124,6 +124,31 @@ async fn one_point_of_several_is_brought_where_it_is_dragged() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn a_gesture_that_is_taken_back_leaves_no_slider_moved() {
+    let mut ready = Ready::start().await;
+    let target = ready.target("volume", None);
+    for gesture in 1..=8 {
+        let wants = vec![Want { target: target.clone(), numbers: vec![100.0] }];
+        let found = ready.client.tell(Ask::SolveFor { wants, with: None, quick: false, gesture }).await;
+        let back = ready.client.tell(Ask::Abandon { gesture }).await;
+        let mut waiting = vec![found, back];
+        while !waiting.is_empty() {
+            let seq = match ready.client.hear().await {
+                // Found before that, it was taken back; else it was ended.
+                Some(Event::Refused { seq, reason }) => {
+                    assert_eq!((seq, reason.as_str()), (found, "it was ended"));
+                    seq
+                }
+                Some(Event::Solved { seq, .. } | Event::Done { seq, .. }) => seq,
+                _ => continue,
+            };
+            waiting.retain(|other| *other != seq);
+        }
+        assert_eq!([ready.value("r"), ready.value("h")], [2.0, 3.0], "gesture {gesture}");
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn places_move_as_the_slider_moves_them() {
     let mut ready = Ready::start().await;
     let input = ready.input("r");

@@ -38,17 +38,22 @@ pub(crate) fn definitions(folder: &Path) -> Vec<PathBuf> {
 
 /// A compute server on a free port, and where it listens.
 pub(crate) fn serving(words: &[&str]) -> (Child, String) {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_katydid"))
-        .args(["serve", "--port", "0"])
-        .args(words)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
+    let (child, url) =
+        listening(Command::new(env!("CARGO_BIN_EXE_katydid")).args(["serve", "--port", "0"]).args(words));
+    (child, host_of(&url))
+}
+
+/// A program that says first where it listens, and that address.
+pub(crate) fn listening(command: &mut Command) -> (Child, String) {
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
     let mut url = String::new();
     BufReader::new(child.stdout.take().unwrap()).read_line(&mut url).unwrap();
-    let host = url.trim().trim_start_matches("http://").trim_end_matches('/').to_owned();
-    (child, host)
+    (child, url.trim().to_owned())
+}
+
+/// Host and port of an address.
+pub(crate) fn host_of(url: &str) -> String {
+    url.trim_start_matches("http://").trim_end_matches('/').to_owned()
 }
 
 /// The command with these words.

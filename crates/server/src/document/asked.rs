@@ -76,6 +76,8 @@ impl Actor {
                 self.publish(&change);
             }
             Ask::Abandon { gesture } => {
+                // What is being found for the gesture must not move sliders after it was taken back.
+                self.studies.end(id);
                 let change = self.editor.abandon(gesture);
                 self.publish(&change);
             }

@@ -31,6 +31,8 @@ const PATIENT: Duration = Duration::from_secs(10);
 const SOLVE_TIME: Duration = Duration::from_secs(20);
 /// Pairs of points for shares over whole ranges: a confidence of some hundredths.
 const PAIRS: usize = 256;
+/// What is told of a study that somebody ended, or that another of the same client took the place of.
+const ENDED: &str = "it was ended";
 /// More wanted results than this are no wish but a mistake.
 const MOST_WANTS: usize = 1_000;
 
@@ -88,6 +90,10 @@ impl Actor {
         let cancel = self.studies.begin(id);
         let back = self.studies.back.clone();
         self.inquire(Box::new(move |engine: &Engine| {
+            // Who asks faster than the document is solved has one study all the same.
+            if cancel.is_cancelled() {
+                return outbox.put(Event::Refused { seq, reason: ENDED.to_owned() });
+            }
             let asked = Asked { client: id, seq, cancel, outbox: Arc::clone(&outbox), back };
             let mut engine = engine.clone();
             engine.options_mut().limits.time = Some(SOLVE_TIME);
@@ -104,7 +110,7 @@ impl Actor {
     /// Puts inputs where they were found to belong, as a part of the gesture that asked for it.
     pub(super) fn found(&mut self, Found { client, seq, gesture, cancel, solved }: Found) {
         let event = if cancel.is_cancelled() {
-            Event::Refused { seq, reason: "ended".to_owned() }
+            Event::Refused { seq, reason: ENDED.to_owned() }
         } else {
             match solved.inputs.iter().try_for_each(|input| self.put(input, gesture)) {
                 Ok(()) => Event::Solved { seq, solved },
@@ -240,7 +246,7 @@ impl Asked {
 
 fn told(error: StudyError) -> String {
     match error {
-        StudyError::Stopped => "ended".to_owned(),
+        StudyError::Stopped => ENDED.to_owned(),
         error => error.to_string(),
     }
 }
