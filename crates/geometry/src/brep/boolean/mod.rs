@@ -105,10 +105,14 @@ impl Fuse {
         interferences::meet_edges(&mut all, &pairs)?;
         let found = sections::sections(&mut all, &pairs)?;
         let found = sections::pieces(&mut all, found)?;
-        let pieces = Pieces::new(&all, found, &pairs)?;
-        let regions::Cut { regions, idle } = regions::all_regions(&all, &pieces)?;
+        let mut pieces = Pieces::new(&all, found, &pairs)?;
+        let regions::Cut { mut regions, idle } = regions::all_regions(&all, &pieces)?;
         cancellation::check_now()?;
         let (sheets, beside) = cells::sheets(&all, &pieces, &regions, &idle)?;
+        // No face or region is asked any more whether it covers a place: of many operands that is as much as the results.
+        all.faces.iter_mut().for_each(operands::Face::forget_outlines);
+        regions.iter_mut().for_each(Region::forget_outlines);
+        pieces.forget_ends();
         Ok(Self { all, pieces, regions, sheets, beside })
     }
 

@@ -168,6 +168,11 @@ impl Face {
         self.outlines.iter().map(|outline| outline.winding(uv)).sum::<i32>() != 0
     }
 
+    /// Lets go of what tells which parameters lie on the face.
+    pub(super) fn forget_outlines(&mut self) {
+        self.outlines = Vec::new();
+    }
+
     /// The normal of the face at parameters, away from the material.
     pub(super) fn normal(&self, [u, v]: [f64; 2]) -> Option<Vector3> {
         let normal = self.surface.normal_at(u, v)?;
