@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: packages packages-test front test-front pictures test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws clean soak test-studies measure-studies
+.PHONY: packages packages-test front test-front pictures test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws cut-solids clean soak test-studies measure-studies
 
 test: test-studio test-rust test-python test-browser
 
@@ -283,6 +283,10 @@ $(VENV)-work/installed: benches/work/requirements.txt
 # Solids cut by solids, beside the answers of other kernels and closed forms.
 booleans:
 	cargo run --release -p katydid-geometry --example booleans -- ../shared/data/oracle/boolean_dev.json
+
+# Pairs of real solids (`benches/boolean_real.py … --pairs $(PAIRS)`): refusals by class, laws of volumes, points inside.
+cut-solids:
+	cargo run --release -p katydid-3dm --example cut_solids -- $(PAIRS)/*.3dm
 
 # Laws of booleans on 20,000 random pairs and as many triples: some hours.
 boolean-laws:

@@ -2,6 +2,7 @@
 
     make module                    # or an installed `katydid`
     python benches/boolean_real.py FOLDER [PAIRS] [SEED]
+    python benches/boolean_real.py FOLDER PAIRS SEED --pairs OUT   # the pairs alone, an archive each, for `make cut-solids`
 
 With cadquery-ocp (benches/work/requirements.txt). FOLDER holds .3dm files; PAIRS is how many pairs are tried (2000), SEED
 where the random numbers start (1). For each pair the common part and the difference are asked of both kernels. Where both
@@ -182,6 +183,16 @@ def seen(rng, first, second):
     return whole * share, whole * math.sqrt(max(share * (1 - share), 1 / POINTS) / POINTS)
 
 
+def written(rng, solids, pairs, out):
+    """Writes pairs of solids, an archive each, with the tolerance of the first one's model."""
+    out = pathlib.Path(out)
+    out.mkdir(parents=True, exist_ok=True)
+    for number in range(pairs):
+        _, first, tolerance = rng.choice(solids)
+        _, second = tool(rng, first, solids)
+        katydid.write(str(out / f"{number:04}.3dm"), [first, second], tolerance=tolerance)
+
+
 def main():
     folder = sys.argv[1]
     pairs = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
@@ -190,6 +201,9 @@ def main():
     if not solids:
         sys.exit("no solids in the folder")
     print(f"{len(solids)} solids", flush=True)
+    if len(sys.argv) > 5 and sys.argv[4] == "--pairs":
+        written(rng, solids, pairs, sys.argv[5])
+        return
     other = Other()
     counts, reasons, ratios = {}, {}, []
     wrong = False

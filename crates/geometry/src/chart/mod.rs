@@ -5,7 +5,7 @@ mod bounds;
 mod kinks;
 pub(crate) mod thresholds;
 
-pub(crate) use kinks::smooth_pieces;
+pub(crate) use kinks::{Breaks, changes_speed, smooth_pieces};
 
 use std::sync::Arc;
 

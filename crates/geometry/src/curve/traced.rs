@@ -21,6 +21,11 @@ const DEEPEST: u32 = 14;
 const MOST: u32 = 40_000;
 /// Turning more than this between two samples is halved.
 const TURN: f64 = 0.5;
+/// Shares of a stretch at which a cubic that is right in the middle is asked once more: it may be off to one side before
+/// the middle and to the other after it.
+const BESIDE_MIDDLE: [f64; 2] = [0.25, 0.75];
+/// Steps of Newton's method for the place of a cubic nearest to a point of the formula.
+const STEPS: usize = 2;
 
 /// The cubic between two samples: the inner control points lie a third of the length of the arc with these tangents
 /// along the directions.
@@ -64,6 +69,32 @@ impl Span {
         ((self.to.point - self.from.point) * 1.5 - (a + b) * (0.25 * self.length)).unitized()
     }
 
+    /// The point at a share of the way, and the derivative by it.
+    fn at(&self, x: f64) -> (Point3, Vector3) {
+        let [a, b] = self.directions().map(|d| d * self.length);
+        let chord = self.to.point - self.from.point;
+        let point = self.from.point
+            + chord * (x * x * (3.0 - 2.0 * x))
+            + a * (x * (1.0 - x) * (1.0 - x))
+            + b * (x * x * (x - 1.0));
+        let slope =
+            chord * (6.0 * x * (1.0 - x)) + a * ((1.0 - x) * (1.0 - 3.0 * x)) + b * (x * (3.0 * x - 2.0));
+        (point, slope)
+    }
+
+    /// How far it is from a point that should lie on it, near a share of the way.
+    fn distance_to(&self, p: Point3, share: f64) -> f64 {
+        let mut x = share;
+        for _ in 0..STEPS {
+            let (point, slope) = self.at(x);
+            let square = slope.length_squared();
+            if square > 0.0 {
+                x = (x + (p - point).dot(slope) / square).clamp(0.0, 1.0);
+            }
+        }
+        self.at(x).0.distance_to(p)
+    }
+
     /// How far the middle is from a point that should lie on the curve near it.
     fn miss(&self, middle: Point3) -> f64 {
         let [a, b] = self.directions();
@@ -77,7 +108,7 @@ impl Span {
 }
 
 /// Rows of samples of a formula over `from`…`to`, so many that the cubics between them are within `tolerance` of it,
-/// tested in the middle of each. Directions may be given either way; they are turned to run along. Where the formula
+/// tested in the middle of each and halfway to its ends. Directions may be given either way; they are turned to run along. Where the formula
 /// gives nothing a row ends, to 10⁻⁹ of the range, and where it leaps, to 10⁻⁵ of it.
 ///
 /// # Errors
@@ -115,7 +146,17 @@ pub(crate) fn sampled(
             if let (Some(a), Some(b), Some(m)) = (a, b, m) {
                 let span = Span::new(towards(a, m.point - a.point), towards(b, b.point - m.point));
                 let long = a.point.distance_to(b.point) > tolerance;
-                let fits = span.miss(m.point) <= tolerance && (!long || span.is_tame(m));
+                let mut fits = span.miss(m.point) <= tolerance && (!long || span.is_tame(m));
+                if fits && long && depth < DEEPEST && budget > 0 {
+                    for share in BESIDE_MIDDLE {
+                        budget = budget.saturating_sub(1);
+                        let beside = formula(s + share * (t - s))?;
+                        fits = beside.is_some_and(|p| span.distance_to(p.point, share) <= tolerance);
+                        if !fits {
+                            break;
+                        }
+                    }
+                }
                 if fits || depth >= DEEPEST || budget == 0 {
                     let leaps = !fits && long && depth >= DEEPEST;
                     if leaps {
@@ -346,6 +387,22 @@ mod tests {
                 let miss = curves[0].closest_point(Point3::new(t, t.sin(), 0.0)).unwrap().distance;
                 assert!(miss <= 1.2 * tolerance, "{miss} {tolerance}");
             }
+        }
+    }
+
+    #[test]
+    fn what_is_right_in_the_middle_alone_is_divided() {
+        // Odd about its middle: the cubic over the whole wave meets it there and has half of its height.
+        let height = 0.01;
+        let odd = |t: f64| {
+            let turn = std::f64::consts::TAU * t;
+            let direction = Vector3::new(1.0, std::f64::consts::TAU * height * turn.cos(), 0.0).unitized();
+            Ok(Some(Sample { point: Point3::new(t, height * turn.sin(), 0.0), direction }))
+        };
+        let curves = joined(&sampled(0.0, 1.0, 1, 1e-3, odd).unwrap(), 1e-9, 0.01).unwrap();
+        for k in 0..=200 {
+            let p = odd(f64::from(k) / 200.0).unwrap().unwrap().point;
+            assert!(curves[0].closest_point(p).unwrap().distance <= 1e-3, "{k}");
         }
     }
 

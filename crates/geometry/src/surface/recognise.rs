@@ -63,7 +63,7 @@ impl Surface {
         }
         let distances: Vec<f64> = samples.iter().map(|s| s.point.distance_to(center)).collect();
         let radius = distances.iter().sum::<f64>() / distances.len() as f64;
-        within(distances.iter().map(|d| d - radius), tolerance, radius)?;
+        within(distances.iter().map(|d| d - radius), tolerance, radius, &samples)?;
         Sphere::around(center, radius).ok()
     }
 
@@ -75,7 +75,7 @@ impl Surface {
         let plane = Plane::from_normal(samples.first()?.point, axis).ok()?;
         let flat: Vec<Point3> = samples.iter().map(|s| plane.closest_point(s.point)).collect();
         let (circle, deviation) = Circle::fit(&flat).ok()?;
-        within([deviation], tolerance, circle.radius)?;
+        within([deviation], tolerance, circle.radius, &samples)?;
         let frame = plane.with_origin(plane.closest_point(circle.center()));
         let (low, high) = self.reach(&frame)?;
         Cylinder::new(frame.offset(low), circle.radius, Interval::new(0.0, high - low)).ok()
@@ -130,6 +130,7 @@ impl Surface {
             }),
             tolerance,
             size,
+            &samples,
         )?;
         Cone::new(frame, size, slope * size).ok()
     }
@@ -143,10 +144,10 @@ impl Surface {
             let middle: Vec<Point3> = samples.iter().map(|s| s.point + s.normal / k).collect();
             let (circle, deviation) = Circle::fit(&middle).ok()?;
             let minor = 1.0 / k.abs();
-            within([deviation], tolerance, circle.radius + minor)?;
+            within([deviation], tolerance, circle.radius + minor, &samples)?;
             let torus = Torus::new(circle.plane, circle.radius, minor).ok()?;
             let misses = samples.iter().map(|s| torus.closest_point(s.point).distance_to(s.point));
-            within(misses, tolerance, circle.radius + minor)?;
+            within(misses, tolerance, circle.radius + minor, &samples)?;
             Some(torus)
         })
     }
@@ -159,9 +160,21 @@ impl Surface {
     }
 }
 
-/// Nothing, unless all deviations are within the tolerance, or within rounding of the size.
-fn within(deviations: impl IntoIterator<Item = f64>, tolerance: f64, size: f64) -> Option<()> {
-    let limit = tolerance.max(RECOGNISED * size);
+/// Nothing, unless all deviations are within the tolerance, or within rounding of the size. What the surface leaves a
+/// sphere by that is far larger than the surface is no rounding: of a flat part the radius is that of rounding itself.
+fn within(
+    deviations: impl IntoIterator<Item = f64>,
+    tolerance: f64,
+    size: f64,
+    samples: &[Sample],
+) -> Option<()> {
+    let first = samples.first()?.point;
+    let extent = samples.iter().map(|s| s.point.distance_to(first)).fold(0.0, f64::max);
+    let limit = tolerance.max(RECOGNISED * size.min(extent));
+    // From so far away distances have no digits left to tell them apart.
+    if !(f64::EPSILON * size <= limit) {
+        return None;
+    }
     deviations.into_iter().all(|d| d.abs() <= limit).then_some(())
 }
 

@@ -6,8 +6,8 @@ use crate::common::{
     self, close, close_points, close_surfaces, close_vectors, curve, number, oracle, plane, point, surface,
 };
 use katydid_geometry::{
-    Circle, Cone, Curve, Cylinder, Direction, Interval, Line, LineCurve, NurbsCurve, NurbsSurface, Plane,
-    PlaneSurface, Point3, RevolutionSurface, Side, Sphere, SumSurface, Surface, Torus, Vector3, Xform,
+    Arc, Circle, Cone, Curve, Cylinder, Direction, Interval, Line, LineCurve, NurbsCurve, NurbsSurface,
+    Plane, PlaneSurface, Point3, RevolutionSurface, Side, Sphere, SumSurface, Surface, Torus, Vector3, Xform,
 };
 use serde_json::Value;
 
@@ -489,5 +489,35 @@ fn small_circles_far_out_have_axes_at_right_angles() {
     let plane = circle.arc.circle.plane;
     for (a, b) in [(plane.x_axis, plane.y_axis), (plane.x_axis, plane.z_axis), (plane.y_axis, plane.z_axis)] {
         assert!(a.dot(b).abs() < 1e-14 && (a.length() - 1.0).abs() < 1e-14, "{plane:?}");
+    }
+}
+
+/// A wall of flat parts and roundings: the radius of a flat part is that of rounding, and a sphere so large holds nothing.
+#[test]
+fn flat_parts_tell_no_huge_sphere() {
+    let wall = |turn: f64| -> Surface {
+        let plane = Plane::from_normal(Point3::ORIGIN, Vector3::new(1.0, 2.0, 3.0)).unwrap().rotated(turn);
+        let at = |x: f64, y: f64| plane.at(x, y, 0.0);
+        let corner = Plane::from_axes(at(3.0, 1.0), -plane.y_axis, plane.x_axis).unwrap();
+        let round = Arc::new(Circle::new(corner, 1.0).unwrap(), Interval::new(0.0, FRAC_PI_2)).unwrap();
+        let parts: [Curve; 3] = [
+            Line::new(at(0.0, 0.0), at(3.0, 0.0)).into(),
+            round.into(),
+            Line::new(at(4.0, 1.0), at(4.0, 3.0)).into(),
+        ];
+        let profile = katydid_geometry::join_curves(&parts, 1e-9, false).remove(0).to_nurbs().unwrap();
+        SumSurface::extrusion(profile.into(), plane.z_axis * 2.0).unwrap().into()
+    };
+    for k in 0..200 {
+        let sum = wall(0.1 * f64::from(k));
+        for s in [sum.to_nurbs().unwrap().into(), sum] {
+            let told = [
+                s.as_sphere(1e-9).map(|s| s.radius),
+                s.as_cylinder(1e-9).map(|c| c.radius),
+                s.as_cone(1e-9).map(|c| c.radius),
+                s.as_torus(1e-9).map(|t| t.major_radius),
+            ];
+            assert_eq!(told, [None; 4], "{k}");
+        }
     }
 }

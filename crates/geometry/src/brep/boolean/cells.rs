@@ -1,23 +1,15 @@
 //! Which regions lie upon each other, and on which side of which operand every region is.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::aside;
 use super::operands::Operands;
 use super::pieces::{OnFace, Pieces};
 use super::refusal::RefusalClass;
 use super::regions::Region;
-use super::thresholds::ONE_PLANE;
-use crate::{BoundingBox, BoxIndex, Containment, Result, cancellation};
-
-/// Where the two sides of a region lie.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Sides {
-    /// For every operand: whether just behind the region, on the side of its own operand, is inside.
-    pub(super) behind: Vec<bool>,
-    /// The same just before it.
-    pub(super) before: Vec<bool>,
-}
+use super::sides::{Inside, Sides};
+use super::thresholds::{BESIDE_BOUNDARY, ONE_PLANE};
+use crate::{BoundingBox, BoxIndex, Containment, Point3, Result, cancellation};
 
 /// A region and all others that lie upon it.
 #[derive(Debug, Clone)]
@@ -37,9 +29,11 @@ pub(super) fn sheets(
     pieces: &Pieces,
     regions: &[Region],
     idle: &[OnFace],
-) -> Result<Vec<Sheet>> {
+) -> Result<(Vec<Sheet>, Vec<Beside>)> {
     let groups = coincident(all, regions)?;
-    let inside = memberships(all, pieces, regions, &groups)?;
+    let asked_again: BTreeSet<usize> =
+        idle.iter().filter_map(|i| pieces.list.get(i.piece)).flat_map(|p| &p.solids).copied().collect();
+    let (inside, beside) = memberships(all, pieces, regions, &groups, &asked_again)?;
     for &place in idle {
         cancellation::check()?;
         aside::refuse_dividing(all, pieces, place, |uv, solid| {
@@ -48,7 +42,7 @@ pub(super) fn sheets(
             if groups.get(group)?.holds(all, regions, solid) {
                 return Some(Containment::On);
             }
-            let inside = *inside.get(group)?.get(solid)?;
+            let inside = inside.get(group)?.has(solid);
             Some(if inside { Containment::Inside } else { Containment::Outside })
         })?;
     }
@@ -56,15 +50,23 @@ pub(super) fn sheets(
     for (group, inside) in groups.into_iter().zip(inside) {
         let mut sides = Sides { behind: inside.clone(), before: inside };
         let mut set = |solid: usize, same: bool| {
-            if let (Some(b), Some(f)) = (sides.behind.get_mut(solid), sides.before.get_mut(solid)) {
-                (*b, *f) = (same, !same);
-            }
+            sides.behind.set(solid, same);
+            sides.before.set(solid, !same);
         };
         set(solid_of(all, regions, group.region), true);
         group.twins.iter().for_each(|(r, same)| set(solid_of(all, regions, *r), *same));
         out.push(Sheet { region: group.region, sides });
     }
-    Ok(out)
+    Ok((out, beside))
+}
+
+/// A region that lies on one side of an operand's boundary though it is no farther from it than the tolerance.
+#[derive(Debug)]
+pub(super) struct Beside {
+    pub(super) face: usize,
+    pub(super) place: Option<Point3>,
+    /// No point of it that was asked is farther from the boundary.
+    pub(super) distance: f64,
 }
 
 struct Group {
@@ -139,14 +141,16 @@ fn upon(all: &Operands, region: &Region, other: &Region) -> Result<Option<bool>>
 }
 
 /// For every group and operand whether it lies inside; what lies on the operand is set by the caller. Only faces whose
-/// boxes meet that of the operand are asked.
+/// boxes meet that of the operand are asked. Operands that are `asked_again` stay prepared.
 fn memberships(
     all: &Operands,
     pieces: &Pieces,
     regions: &[Region],
     groups: &[Group],
-) -> Result<Vec<Vec<bool>>> {
-    let mut out = vec![vec![false; all.solids.len()]; groups.len()];
+    asked_again: &BTreeSet<usize>,
+) -> Result<(Vec<Inside>, Vec<Beside>)> {
+    let mut out = vec![Inside::default(); groups.len()];
+    let mut beside = Vec::new();
     let mut by_face: Vec<Vec<usize>> = vec![Vec::new(); all.faces.len()];
     for (g, group) in groups.iter().enumerate() {
         let face = regions.get(group.region).and_then(|r| by_face.get_mut(r.face));
@@ -185,17 +189,21 @@ fn memberships(
                 Some(inside) => *inside,
                 None => {
                     let region = groups.get(*g).and_then(|g| regions.get(g.region));
-                    let inside = region.map_or(Ok(false), |r| is_inside(all, r, solid))?;
+                    let inside = match region {
+                        Some(region) => is_inside(all, region, solid, &mut beside)?,
+                        None => false,
+                    };
                     known.insert(set, inside);
                     inside
                 }
             };
-            if let Some(own) = out.get_mut(*g).and_then(|o| o.get_mut(solid)) {
-                *own = inside;
-            }
+            out.get_mut(*g).into_iter().for_each(|own| own.set(solid, inside));
+        }
+        if !asked_again.contains(&solid) {
+            own.forget_search();
         }
     }
-    Ok(out)
+    Ok((out, beside))
 }
 
 /// A piece, and its place among the pieces of all operands.
@@ -226,29 +234,38 @@ fn root(sets: &mut [usize], mut k: usize) -> usize {
     k
 }
 
-/// Whether a region lies inside an operand on whose boundary it is not: all its points that tell agree.
-fn is_inside(all: &Operands, region: &Region, solid: usize) -> Result<bool> {
+/// Whether a region lies inside an operand on whose boundary it is not: all its points that tell agree. A region that is
+/// no farther from the boundary than the tolerance, as a corner that just reaches through a face, is asked more finely.
+fn is_inside(all: &Operands, region: &Region, solid: usize, beside: &mut Vec<Beside>) -> Result<bool> {
     let Some(own) = all.solids.get(solid) else { return Ok(false) };
-    let mut verdict: Option<bool> = None;
     let place = region.samples.first().map(|s| s.point);
     let undecided = || Err(all.refuse(RefusalClass::UndecidedPoint, &[region.face], place));
-    for sample in &region.samples {
-        let found = if own.bounds.distance_to(sample.point) > all.limit {
-            Ok(Containment::Outside)
-        } else {
-            own.search()?.contains(sample.point, all.limit)
-        };
-        let inside = match found {
-            Ok(Containment::Inside) => true,
-            Ok(Containment::Outside) => false,
-            Ok(Containment::On) => continue,
-            Err(crate::Error::Stopped) => return Err(crate::Error::Stopped),
-            Err(_) => continue,
-        };
-        if verdict.is_some_and(|v| v != inside) {
-            return undecided();
+    let mut asked: Option<f64> = None;
+    for share in BESIDE_BOUNDARY {
+        let mut verdict: Option<bool> = None;
+        for sample in &region.samples {
+            let found = if own.bounds.distance_to(sample.point) > all.limit {
+                Ok(Containment::Outside)
+            } else {
+                own.search()?.contains(sample.point, share * all.limit)
+            };
+            let inside = match found {
+                Ok(Containment::Inside) => true,
+                Ok(Containment::Outside) => false,
+                Ok(Containment::On) => continue,
+                Err(crate::Error::Stopped) => return Err(crate::Error::Stopped),
+                Err(_) => continue,
+            };
+            if verdict.is_some_and(|v| v != inside) {
+                return undecided();
+            }
+            verdict = Some(inside);
         }
-        verdict = Some(inside);
+        if let Some(verdict) = verdict {
+            beside.extend(asked.map(|distance| Beside { face: region.face, place, distance }));
+            return Ok(verdict);
+        }
+        asked = Some(share * all.limit);
     }
-    verdict.map_or_else(undecided, Ok)
+    undecided()
 }

@@ -30,6 +30,7 @@ mod regions;
 mod report;
 mod sections;
 mod shells;
+mod sides;
 #[cfg(test)]
 mod tests;
 mod thresholds;
@@ -42,11 +43,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::refusal;
 use crate::{Brep, Curve, Result, Tolerance, cancellation};
-use cells::Sheet;
+use cells::{Beside, Sheet};
 use operands::Operands;
 use pieces::Pieces;
 use regions::Region;
 use shells::{Chosen, Shells};
+use sides::{Inside, Sides};
 
 /// A brep that a boolean made.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,6 +84,7 @@ pub struct Fuse {
     pieces: Pieces,
     regions: Vec<Region>,
     sheets: Vec<Sheet>,
+    beside: Vec<Beside>,
 }
 
 impl Fuse {
@@ -91,17 +94,26 @@ impl Fuse {
     /// [`Error::Refused`](crate::Error::Refused) with the kind of case where it is not decided; an operand has no faces, or
     /// a face without a surface; the tolerance is not above 0; or the work was stopped.
     pub fn new(breps: &[Brep], tolerance: &Tolerance) -> Result<Self> {
+        Self::of(&breps.iter().collect::<Vec<_>>(), tolerance)
+    }
+
+    /// As [`Fuse::new`], of operands that stand in several places.
+    fn of(breps: &[&Brep], tolerance: &Tolerance) -> Result<Self> {
         let limit = tolerance.positive_distance()?;
         let mut all = Operands::new(breps, limit)?;
         let pairs = interferences::face_pairs(&all)?;
         interferences::meet_edges(&mut all, &pairs)?;
         let found = sections::sections(&mut all, &pairs)?;
         let found = sections::pieces(&mut all, found)?;
-        let pieces = Pieces::new(&all, found, &pairs)?;
-        let regions::Cut { regions, idle } = regions::all_regions(&all, &pieces)?;
+        let mut pieces = Pieces::new(&all, found, &pairs)?;
+        let regions::Cut { mut regions, idle } = regions::all_regions(&all, &pieces)?;
         cancellation::check_now()?;
-        let sheets = cells::sheets(&all, &pieces, &regions, &idle)?;
-        Ok(Self { all, pieces, regions, sheets })
+        let (sheets, beside) = cells::sheets(&all, &pieces, &regions, &idle)?;
+        // No face or region is asked any more whether it covers a place: of many operands that is as much as the results.
+        all.faces.iter_mut().for_each(operands::Face::forget_outlines);
+        regions.iter_mut().for_each(Region::forget_outlines);
+        pieces.forget_ends();
+        Ok(Self { all, pieces, regions, sheets, beside })
     }
 
     /// The solids of all points for which `wanted` says yes: it is asked with, for every operand, whether a point lies
@@ -114,14 +126,7 @@ impl Fuse {
             let name = FaceName { operand: open, face: 0 };
             return Err(Refusal::at(RefusalClass::OpenOperand, &[name], None));
         }
-        let mut chosen = Vec::new();
-        for sheet in &self.sheets {
-            match (wanted(&sheet.sides.behind), wanted(&sheet.sides.before)) {
-                (true, false) => chosen.push(Chosen { region: sheet.region, flipped: false }),
-                (false, true) => chosen.push(Chosen { region: sheet.region, flipped: true }),
-                _ => {}
-            }
-        }
+        let chosen: Vec<Chosen> = self.sheets.iter().filter_map(|s| self.chosen(s, &wanted)).collect();
         if chosen.is_empty() {
             return Ok(Vec::new());
         }
@@ -138,15 +143,25 @@ impl Fuse {
         if self.all.solids.iter().all(|s| s.closed) {
             return self.solids(wanted);
         }
-        let chosen: Vec<Chosen> = (self.with_open()?.iter())
-            .filter_map(|sheet| match (wanted(&sheet.sides.behind), wanted(&sheet.sides.before)) {
-                (true, false) => Some(Chosen { region: sheet.region, flipped: false }),
-                (false, true) => Some(Chosen { region: sheet.region, flipped: true }),
-                _ => None,
-            })
-            .collect();
+        let sheets = self.with_open()?;
+        let chosen: Vec<Chosen> = sheets.iter().filter_map(|s| self.chosen(s, &wanted)).collect();
         let naked = self.naked_pieces();
         self.shells(&chosen).open_or_closed(|piece| naked.contains(&piece))
+    }
+
+    /// A sheet as a part of the boundary of what is wanted, if what is wanted differs on its two sides.
+    fn chosen(&self, sheet: &Sheet, wanted: impl Fn(&[bool]) -> bool) -> Option<Chosen> {
+        let Sides { behind, before } = &sheet.sides;
+        match (wanted(&self.dense(behind)), wanted(&self.dense(before))) {
+            (true, false) => Some(Chosen { region: sheet.region, flipped: false }),
+            (false, true) => Some(Chosen { region: sheet.region, flipped: true }),
+            _ => None,
+        }
+    }
+
+    /// For every operand whether it holds a place.
+    fn dense(&self, inside: &Inside) -> Vec<bool> {
+        inside.of_all(self.all.solids.len())
     }
 
     /// The faces of one operand that lie in none of the others, apart where they are cut. What an open one has behind it
@@ -160,11 +175,8 @@ impl Fuse {
             .filter(|(_, r)| self.all.faces.get(r.face).map(|f| f.solid) == Some(operand))
             .filter(|(region, _)| {
                 let own = sheets.iter().find(|s| s.region == *region);
-                let inside = |k: usize, s: &Sheet| {
-                    k != operand
-                        && s.sides.behind.get(k) == Some(&true)
-                        && s.sides.before.get(k) == Some(&true)
-                };
+                let inside =
+                    |k: usize, s: &Sheet| k != operand && s.sides.behind.has(k) && s.sides.before.has(k);
                 // A region that lies upon another operand's is outside of it.
                 own.is_none_or(|s| !(0..self.all.solids.len()).any(|k| inside(k, s)))
             })
@@ -214,7 +226,8 @@ impl Fuse {
     pub fn faces(&self, mut wanted: impl FnMut(FacePart<'_>) -> bool) -> Result<Vec<Made>> {
         let mut chosen = Vec::new();
         for sheet in &self.sheets {
-            let both = || sheet.sides.behind.iter().zip(&sheet.sides.before);
+            let [behind, before] = [&sheet.sides.behind, &sheet.sides.before].map(|s| self.dense(s));
+            let both = || behind.iter().zip(&before);
             let on: Vec<bool> = both().map(|(a, b)| a != b).collect();
             let inside: Vec<bool> = both().map(|(a, b)| *a && *b).collect();
             if wanted(FacePart { on: &on, inside: &inside }) {
@@ -231,15 +244,16 @@ impl Fuse {
     /// # Errors
     /// As [`Fuse::solids`].
     pub fn cells(&self) -> Result<Vec<(Vec<bool>, Vec<Made>)>> {
-        let mut kinds: Vec<&Vec<bool>> = Vec::new();
+        let mut kinds: Vec<&Inside> = Vec::new();
         for sheet in &self.sheets {
             for side in [&sheet.sides.behind, &sheet.sides.before] {
-                if side.iter().any(|x| *x) && !kinds.contains(&side) {
+                if !side.is_empty() && !kinds.contains(&side) {
                     kinds.push(side);
                 }
             }
         }
-        kinds.into_iter().map(|kind| Ok((kind.clone(), self.solids(|inside| inside == kind)?))).collect()
+        let kinds = kinds.into_iter().map(|kind| self.dense(kind));
+        kinds.map(|kind| Ok((kind.clone(), self.solids(|inside| inside == kind)?))).collect()
     }
 
     /// The bounded parts of space between all faces of all operands, open ones among them: for each the closed operands
@@ -254,7 +268,7 @@ impl Fuse {
         let inside = |place: usize| {
             let sides = self.sheets.get(place / 2).map(|s| &s.sides);
             sides.map_or_else(Vec::new, |s| {
-                if place.is_multiple_of(2) { s.behind.clone() } else { s.before.clone() }
+                self.dense(if place.is_multiple_of(2) { &s.behind } else { &s.before })
             })
         };
         Ok(found.into_iter().map(|(place, made)| (inside(place), made)).collect())
@@ -275,15 +289,15 @@ impl Fuse {
         let inside = |place: usize| {
             let region = chosen.get(place).map(|c| c.region);
             let sheet = self.sheets.iter().find(|s| Some(s.region) == region);
-            sheet.map_or_else(Vec::new, |s| s.sides.before.clone())
+            sheet.map_or_else(Vec::new, |s| self.dense(&s.sides.before))
         };
         Ok(found.into_iter().map(|(place, made)| (inside(place), made)).collect())
     }
 
     /// What was decided within the tolerance, and how far it moved what: two points, curves or surfaces that are not one
-    /// to rounding were taken as one.
+    /// to rounding were taken as one, or a part nearer to a boundary was told to lie on one side of it.
     pub fn report(&self) -> Vec<Decision> {
-        report::decisions(&self.all, &self.pieces)
+        report::decisions(&self.all, &self.pieces, &self.beside)
     }
 
     fn shells<'a>(&'a self, chosen: &'a [Chosen]) -> Shells<'a> {

@@ -115,3 +115,53 @@ fn a_slot_whose_round_ends_touch_the_edges_of_a_face() {
     let want = 170.0 + 2.0 * PI + 4.0;
     assert!((area(&breps) - want).abs() < 1e-6, "{} {want}", area(&breps));
 }
+
+/// A square bar with rounded edges, turned about its axis: its wall of flat and round parts is one face.
+fn rounded_bar(turn: f64) -> Brep {
+    let plane = Plane::XY.rotated(turn);
+    let (half, radius) = (2.0, 1.0);
+    let quarter = |k: usize| {
+        let x = plane.rotated(FRAC_PI_2 * k as f64);
+        let corner = x.with_origin(x.at(half - radius, half - radius, 0.0));
+        let round = Arc::new(Circle::new(corner, radius).unwrap(), Interval::new(0.0, FRAC_PI_2)).unwrap();
+        [Line::new(x.at(half, radius - half, 0.0), x.at(half, half - radius, 0.0)).into(), Curve::from(round)]
+    };
+    let parts: Vec<Curve> = (0..4).flat_map(quarter).collect();
+    let profile: Curve = join_curves(&parts, 1e-9, false).remove(0).to_nurbs().unwrap().into();
+    construct::extrude(&profile, Vector3::Z * 4.0, true, &within(1e-6)).unwrap()
+}
+
+#[test]
+fn a_rounded_bar_is_cut_along_and_across() {
+    // The plane y = 0 halves the bar however it is turned.
+    let half_space = cuboid([-10.0, 0.0, 1.0], [10.0, 10.0, 9.0]);
+    let want = 0.5 * (12.0 + PI) * 3.0;
+    for k in 0..6 {
+        let bar = rounded_bar(0.1 + 0.25 * f64::from(k));
+        let made = Brep::intersection(&[bar], std::slice::from_ref(&half_space), &within(1e-4)).unwrap();
+        let volume: f64 = made.iter().map(|m| m.brep.volume_properties(1e-9, || true).unwrap().amount).sum();
+        assert!((volume - want).abs() < 1e-6 * want, "{k}: {volume} {want}");
+    }
+}
+
+#[test]
+fn a_corner_that_reaches_through_a_face_by_less_than_the_tolerance() {
+    // The flat corner of a squeezed cube that stands on it comes through the top of a plate.
+    let limit = 1e-2;
+    let plate = [cuboid([-5.0, -5.0, -1.0], [5.0, 5.0, 0.0])];
+    let turned = Xform::rotation_between(Vector3::new(1.0, 1.0, 1.0), Vector3::Z, Point3::ORIGIN).unwrap();
+    for flat in [0.4, 0.2] {
+        let squeezed = Xform::scale_non_uniform(&Plane::XY, 1.0, 1.0, flat);
+        for depth in [0.9, 0.6].map(|x| x * limit) {
+            let lowered = Xform::translation(Vector3::Z * -depth);
+            let moves = [&turned, &squeezed, &lowered];
+            let cube = moves.iter().fold(cuboid([0.0; 3], [3.0; 3]), |b, m| b.transformed(m).unwrap());
+            let left = Brep::difference(&plate, &[cube], &within(limit)).unwrap();
+            let volume: f64 =
+                left.iter().map(|m| m.brep.volume_properties(1e-12, || true).unwrap().amount).sum();
+            // A corner of three right angles of the height h is √3/2 h³; squeezed it has the height `depth`.
+            let want = 100.0 - 0.5 * 3.0_f64.sqrt() * depth.powi(3) / flat.powi(2);
+            assert!((volume - want).abs() < 1e-9, "{flat} {depth}: {volume} {want}");
+        }
+    }
+}

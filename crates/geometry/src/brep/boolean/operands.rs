@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
-use std::sync::{Arc as Shared, OnceLock};
+use std::sync::{Arc as Shared, Mutex, OnceLock, PoisonError};
 
 use super::FaceName;
 use super::refusal::{Refusal, RefusalClass};
@@ -168,6 +168,11 @@ impl Face {
         self.outlines.iter().map(|outline| outline.winding(uv)).sum::<i32>() != 0
     }
 
+    /// Lets go of what tells which parameters lie on the face.
+    pub(super) fn forget_outlines(&mut self) {
+        self.outlines = Vec::new();
+    }
+
     /// The normal of the face at parameters, away from the material.
     pub(super) fn normal(&self, [u, v]: [f64; 2]) -> Option<Vector3> {
         let normal = self.surface.normal_at(u, v)?;
@@ -179,7 +184,7 @@ impl Face {
 #[derive(Debug)]
 pub(super) struct Solid {
     brep: Shared<Brep>,
-    search: OnceLock<ClosestOnBrep>,
+    search: Mutex<Option<Shared<ClosestOnBrep>>>,
     pub(super) bounds: BoundingBox,
     /// Whether it encloses a volume.
     pub(super) closed: bool,
@@ -191,13 +196,20 @@ impl Solid {
         &self.brep
     }
 
-    /// The operand, prepared for questions about its inside.
-    pub(super) fn search(&self) -> Result<&ClosestOnBrep> {
-        if let Some(made) = self.search.get() {
-            return Ok(made);
+    /// The operand, prepared for questions about its inside when it is asked first.
+    pub(super) fn search(&self) -> Result<Shared<ClosestOnBrep>> {
+        let mut known = self.search.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(made) = known.as_ref() {
+            return Ok(Shared::clone(made));
         }
-        let made = ClosestOnBrep::new(Shared::clone(&self.brep))?;
-        Ok(self.search.get_or_init(|| made))
+        let made = Shared::new(ClosestOnBrep::new(Shared::clone(&self.brep))?);
+        *known = Some(Shared::clone(&made));
+        Ok(made)
+    }
+
+    /// Lets go of what was prepared for questions: of many operands it is more than the operands themselves.
+    pub(super) fn forget_search(&self) {
+        *self.search.lock().unwrap_or_else(PoisonError::into_inner) = None;
     }
 }
 
@@ -216,7 +228,7 @@ pub(super) struct Operands {
 
 impl Operands {
     /// Takes the faces and edges of operands over. Solids are turned outward.
-    pub(super) fn new(breps: &[Brep], limit: f64) -> Result<Self> {
+    pub(super) fn new(breps: &[&Brep], limit: f64) -> Result<Self> {
         let count: usize = breps.iter().map(|b| b.faces().len()).sum();
         if count > MOST_FACES {
             return Err(Refusal::at(RefusalClass::TooLarge, &[], None));
@@ -284,7 +296,7 @@ impl Operands {
         }
         let bounds = bounds.ok_or(Error::degenerate("brep", "it has no faces"))?;
         let closed = brep.is_solid();
-        self.solids.push(Solid { brep: Shared::new(brep), search: OnceLock::new(), bounds, closed });
+        self.solids.push(Solid { brep: Shared::new(brep), search: Mutex::new(None), bounds, closed });
         Ok(())
     }
 

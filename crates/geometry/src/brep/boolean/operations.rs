@@ -46,9 +46,9 @@ impl Brep {
         if first.is_empty() {
             return Ok(Vec::new());
         }
-        let all: Vec<Self> = first.iter().chain(second).cloned().collect();
+        let all: Vec<&Self> = first.iter().chain(second).collect();
         let split = first.len();
         let any = |inside: Option<&[bool]>| inside.is_some_and(|i| i.iter().any(|x| *x));
-        Fuse::new(&all, tolerance)?.oriented(|i| wanted(any(i.get(..split)), any(i.get(split..))))
+        Fuse::of(&all, tolerance)?.oriented(|i| wanted(any(i.get(..split)), any(i.get(split..))))
     }
 }

@@ -22,9 +22,11 @@ pub(super) fn with_open(shells: &Shells<'_>, sheets: &[Sheet]) -> Result<Vec<She
         if !own.is_some_and(|f| is_open(f.solid)) {
             continue;
         }
-        let sides = sheet.sides.behind.iter_mut().zip(&mut sheet.sides.before).enumerate();
-        for (_, (behind, before)) in sides.filter(|(k, (a, b))| a != b && is_open(*k)) {
-            (*behind, *before) = (true, false);
+        for operand in (0..shells.all.solids.len()).filter(|k| is_open(*k)) {
+            if sheet.sides.is_on(operand) {
+                sheet.sides.behind.set(operand, true);
+                sheet.sides.before.set(operand, false);
+            }
         }
     }
     let uses = shells.uses();
@@ -33,10 +35,9 @@ pub(super) fn with_open(shells: &Shells<'_>, sheets: &[Sheet]) -> Result<Vec<She
         let own = behind(shells, &out, &uses, operand)?;
         for (place, inside) in own.into_iter().enumerate() {
             let Some(sides) = out.get_mut(place).map(|s| &mut s.sides) else { continue };
-            if let (Some(inside), Some(a), Some(b)) =
-                (inside, sides.behind.get_mut(operand), sides.before.get_mut(operand))
-            {
-                (*a, *b) = (inside, inside);
+            if let Some(inside) = inside {
+                sides.behind.set(operand, inside);
+                sides.before.set(operand, inside);
             }
         }
     }
@@ -57,7 +58,7 @@ fn behind(
 ) -> Result<Vec<Option<bool>>> {
     let sides = |k: usize| {
         let own = sheets.get(k).map(|s| &s.sides)?;
-        Some((*own.behind.get(operand)?, *own.before.get(operand)?))
+        Some((own.behind.has(operand), own.before.has(operand)))
     };
     let is_on = |k: usize| sides(k).is_some_and(|(behind, before)| behind != before);
     let is_cut = |piece: usize| shells.pieces.list.get(piece).is_some_and(|p| p.solids.contains(&operand));

@@ -205,6 +205,11 @@ impl Pieces {
         Ok(())
     }
 
+    /// Lets go of what finds pieces by their ends: none is added any more.
+    pub(super) fn forget_ends(&mut self) {
+        self.by_ends = HashMap::new();
+    }
+
     /// How often each piece of some list occurs an odd number of times, in order: the boundary of what pieces go round.
     pub(super) fn odd(pieces: impl IntoIterator<Item = usize>) -> Vec<usize> {
         let mut counts: BTreeMap<usize, bool> = BTreeMap::new();

@@ -37,6 +37,11 @@ impl Region {
         })
     }
 
+    /// Lets go of what tells which parameters lie in it.
+    pub(super) fn forget_outlines(&mut self) {
+        self.outlines = Vec::new();
+    }
+
     /// Whether parameters lie in it; anything at its border.
     pub(super) fn covers(&self, uv: [f64; 2]) -> bool {
         self.outlines.iter().map(|o| o.winding(uv)).sum::<i32>() != 0

@@ -3,13 +3,14 @@
 use std::fmt;
 
 use super::FaceName;
+use super::cells::Beside;
 use super::operands::Operands;
 use super::pieces::Pieces;
 use super::thresholds::ROUNDING;
 use crate::error::refusal::write_where;
 use crate::{BoundingBox, Point3};
 
-/// What was taken as one.
+/// What was taken as one, or apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum DecisionKind {
@@ -19,6 +20,8 @@ pub enum DecisionKind {
     Curves,
     /// The surfaces of two faces.
     Surfaces,
+    /// Not taken as one: a part of a face that lies within the tolerance of an operand's boundary, on one side of it.
+    Sides,
 }
 
 /// A decision that rests on the tolerance: with exact numbers it would be another.
@@ -30,7 +33,7 @@ pub struct Decision {
     pub faces: Vec<FaceName>,
     /// A point where it is.
     pub place: Option<Point3>,
-    /// The largest distance found between what was taken as one, in model units.
+    /// The largest distance found between what was taken as one, in model units; for sides, that from the boundary.
     pub distance: f64,
 }
 
@@ -40,6 +43,10 @@ impl fmt::Display for Decision {
             DecisionKind::Points => "points",
             DecisionKind::Curves => "curves",
             DecisionKind::Surfaces => "surfaces",
+            DecisionKind::Sides => {
+                write!(f, "a part {:e} from a boundary was told to lie on one side of it", self.distance)?;
+                return write_where(f, &self.faces, self.place);
+            }
         };
         write!(f, "{what} {:e} apart were taken as one", self.distance)?;
         write_where(f, &self.faces, self.place)
@@ -47,7 +54,7 @@ impl fmt::Display for Decision {
 }
 
 /// All decisions about what is farther apart than rounding tells.
-pub(super) fn decisions(all: &Operands, pieces: &Pieces) -> Vec<Decision> {
+pub(super) fn decisions(all: &Operands, pieces: &Pieces, beside: &[Beside]) -> Vec<Decision> {
     let bounds: Option<BoundingBox> = all.solids.iter().map(|s| s.bounds).reduce(|a, b| a.union(&b));
     let extent = bounds.map_or(0.0, |b| {
         // Digits are lost far from the origin too.
@@ -73,5 +80,11 @@ pub(super) fn decisions(all: &Operands, pieces: &Pieces) -> Vec<Decision> {
         place: *place,
         distance: *distance,
     });
-    points.chain(curves).chain(surfaces).filter(|d| d.distance > least).collect()
+    let sides = beside.iter().map(|part| Decision {
+        kind: DecisionKind::Sides,
+        faces: all.names(&[part.face]),
+        place: part.place,
+        distance: part.distance,
+    });
+    points.chain(curves).chain(surfaces).chain(sides).filter(|d| d.distance > least).collect()
 }

@@ -6,7 +6,8 @@ use super::refusal::RefusalClass;
 use super::thresholds::{AT_CROSSING, CAPTURE, EXACT, PARALLEL, PLACES, ROUNDING, TRACED};
 use crate::brep::build::with_ends;
 use crate::intersect::{
-    Carrier, CarrierMeeting, SurfaceContactKind, carrier_carrier, surface_plane, surface_surface,
+    Carrier, CarrierMeeting, SurfaceBranch, SurfaceContactKind, carrier_carrier, surface_plane,
+    surface_surface,
 };
 use crate::{BoundingBox, BoxIndex, Curve, Interval, Point3, Result, Surface, Tolerance, cancellation};
 
@@ -32,25 +33,26 @@ pub(super) struct SectionPiece {
 enum Meeting {
     /// They lie on one surface: the borders of each are drawn on the other.
     Coincident,
-    /// Curves, and points in which curves cross each other.
-    Parts(Vec<(Curve, bool)>, Vec<Point3>),
+    /// Curves, points in which curves cross each other, and points in which one goes on in another.
+    Parts(Vec<(Curve, bool)>, Vec<Point3>, Vec<Point3>),
 }
 
 /// All section curves of the pairs of faces.
 pub(super) fn sections(all: &mut Operands, pairs: &[(usize, usize)]) -> Result<Vec<Section>> {
     let mut out = Vec::new();
+    let mut joints: Vec<([usize; 2], Point3)> = Vec::new();
     for &(a, b) in pairs {
         cancellation::check()?;
         let (Some(fa), Some(fb)) = (all.faces.get(a), all.faces.get(b)) else { continue };
-        let Meeting::Parts(curves, points) = meeting(all, [a, b], [fa, fb])? else {
+        let Meeting::Parts(curves, points, ends) = meeting(all, [a, b], [fa, fb])? else {
             let (place, distance) = gap(all, fa, fb)?;
             all.upon.push(([a, b], place, distance));
             continue;
         };
+        joints.extend(ends.into_iter().map(|p| ([a, b], p)));
         let mut crossings = Vec::new();
         for p in points {
-            let reach = CAPTURE * all.limit;
-            if all.place(fa, p, reach)? != Place::Outside && all.place(fb, p, reach)? != Place::Outside {
+            if is_on_both(all, [fa, fb], p)? {
                 crossings.push(p);
             }
         }
@@ -68,7 +70,25 @@ pub(super) fn sections(all: &mut Operands, pairs: &[(usize, usize)]) -> Result<V
         });
     }
     cross(all, &out)?;
+    for ([a, b], p) in joints {
+        if all.vertices.known(p).is_none()
+            && let (Some(fa), Some(fb)) = (all.faces.get(a), all.faces.get(b))
+            && is_on_both(all, [fa, fb], p)?
+        {
+            all.vertices.at(p);
+        }
+    }
     Ok(out)
+}
+
+/// Whether a point near the surfaces of two faces lies on both faces.
+fn is_on_both(all: &Operands, faces: [&Face; 2], p: Point3) -> Result<bool> {
+    for face in faces {
+        if all.place(face, p, CAPTURE * all.limit)? == Place::Outside {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// Places vertices where sections on one face cross each other.
@@ -125,12 +145,12 @@ fn meeting(all: &Operands, places: [usize; 2], [a, b]: [&Face; 2]) -> Result<Mee
         if let Some(met) = carrier_carrier(ca, cb, &exact) {
             let CarrierMeeting::Parts { curves, points } = met else { return Ok(Meeting::Coincident) };
             let around = a.bounds.inflated(limit).intersection(&b.bounds.inflated(limit));
-            let Some(around) = around else { return Ok(Meeting::Parts(Vec::new(), Vec::new())) };
+            let Some(around) = around else { return Ok(Meeting::Parts(Vec::new(), Vec::new(), Vec::new())) };
             let mut out = Vec::with_capacity(curves.len());
             for curve in curves {
                 out.extend(curve.conic.over(&around)?.map(|c| (c, true)));
             }
-            return Ok(Meeting::Parts(out, points));
+            return Ok(Meeting::Parts(out, points, Vec::new()));
         }
     }
     let tolerance = Tolerance { absolute: TRACED * limit, ..Tolerance::default() };
@@ -146,7 +166,11 @@ fn meeting(all: &Operands, places: [usize; 2], [a, b]: [&Face; 2]) -> Result<Mee
         if !met.complete {
             return Err(all.refuse(RefusalClass::Unfinished, &places, None));
         }
-        return Ok(Meeting::Parts(met.curves.into_iter().map(|c| (c, false)).collect(), Vec::new()));
+        return Ok(Meeting::Parts(
+            met.curves.into_iter().map(|c| (c, false)).collect(),
+            Vec::new(),
+            Vec::new(),
+        ));
     }
     traced(all, places, [a, b], &tolerance)
 }
@@ -181,10 +205,21 @@ fn traced(all: &Operands, places: [usize; 2], [a, b]: [&Face; 2], tolerance: &To
     if !met.complete {
         return Err(all.refuse(RefusalClass::Unfinished, &places, None));
     }
+    let joints = joints(&met.branches, all.limit);
     for branch in met.branches {
         curves.push((led_in(branch.curve, &points, AT_CROSSING * all.limit)?, false));
     }
-    Ok(Meeting::Parts(curves, points))
+    Ok(Meeting::Parts(curves, points, joints))
+}
+
+/// The ends of branches in which another one ends: it goes on there, at another speed of its images.
+fn joints(branches: &[SurfaceBranch], limit: f64) -> Vec<Point3> {
+    let ends: Vec<(usize, Point3)> = (branches.iter().enumerate())
+        .filter(|(_, b)| !b.closed)
+        .flat_map(|(k, b)| [(k, b.curve.start()), (k, b.curve.end())])
+        .collect();
+    let is_joint = |(k, p): &(usize, Point3)| ends.iter().any(|(j, q)| j > k && p.distance_to(*q) <= limit);
+    ends.iter().filter(|end| is_joint(end)).map(|end| end.1).collect()
 }
 
 /// A branch that ends a little before a place where branches cross is led there. It runs on straight in such a place, and

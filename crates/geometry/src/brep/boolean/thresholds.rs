@@ -11,6 +11,9 @@ pub(super) const TRACED: f64 = 0.25;
 pub(super) const CAPTURE: f64 = 2.0;
 /// What counts as the border of a face for a curve beside it, in tolerances, from the first that tells: 0 asks exactly.
 pub(super) const BESIDE_BORDER: [f64; 3] = [CAPTURE, 1.0, 0.0];
+/// A point is told to lie inside or outside of an operand when it is farther from the boundary than so many tolerances,
+/// the first at which a point of a region tells: what is cut by curves within the tolerance may be smaller than it.
+pub(super) const BESIDE_BOUNDARY: [f64; 4] = [1.0, 1.0 / 8.0, 1.0 / 64.0, 1.0 / 512.0];
 /// A curve that is told not to divide a face is looked at from so many tolerances on both of its sides.
 pub(super) const ASIDE: f64 = 16.0;
 /// Branches that end nearer than so many tolerances to a place where branches cross end there: where two surfaces have one

@@ -2,10 +2,10 @@
 
 use super::sheet::Sheet;
 use super::{BranchKind, SurfaceBranch, SurfaceContact, SurfaceContactKind, SurfaceMeeting, images, overlap};
-use crate::chart::smooth_pieces;
 use crate::chart::thresholds::{
     EXACT, EXACT_OF_NOISE, IMAGE, IMAGE_OF_TOLERANCE, ON_CARRIER, ONE_PLANE, noise,
 };
+use crate::chart::{Breaks, smooth_pieces};
 use crate::intersect::{Carrier, CarrierCurve, CarrierMeeting, Conic, carrier_carrier, curve_curve};
 use crate::{
     BoundingBox, Curve, Direction, NurbsSurface, Point3, Result, Surface, Tolerance, Xform, cancellation,
@@ -135,7 +135,7 @@ const FOLDS: usize = 16;
 
 /// Whether a surface has an area and no kinks, and its normal is on one side of its carrier wherever it is looked at.
 fn is_plain(nurbs: &NurbsSurface, carrier: &Carrier) -> Result<bool> {
-    if smooth_pieces(nurbs, &|_| true)?.len() != 1 {
+    if smooth_pieces(nurbs, Breaks::Turns, &|_| true)?.len() != 1 {
         return Ok(false);
     }
     let places = Direction::BOTH.map(|d| -> Vec<f64> {

@@ -4,8 +4,8 @@ use super::contacts::{contacts, drop_doubles};
 use super::cover::Curves;
 use super::search::{boxes_apart, corner_normal, hull};
 use super::{BranchKind, SurfaceBranch, SurfaceContactKind, SurfaceMeeting, rows, shifted};
-use crate::chart::Chart;
 use crate::chart::thresholds::{AT_POLE, MET, SAME_PLACE, SMALLEST, TINY};
+use crate::chart::{Breaks, Chart};
 use crate::intersect::judge::separated;
 use crate::intersect::patch_tree::{PatchNode, PatchTree};
 use crate::trace::{Box4, Condition, Four, Limits, Pair, Place, fitted_within};
@@ -53,7 +53,7 @@ pub fn surface_self(surface: &NurbsSurface, tolerance: &Tolerance) -> Result<Sur
     drop_doubles(&mut out.contacts, SAME_PLACE * size);
     out.complete &= curves.stuck().is_empty();
     out.complete &= out.contacts.iter().all(|c| c.kind != SurfaceContactKind::Undecided);
-    for row in rows::joined(&pair, std::mem::take(&mut curves.found)) {
+    for row in rows::joined(&pair, std::mem::take(&mut curves.found), Breaks::Turns) {
         let fit = fitted_within(&pair, &row.places, limit)?;
         out.branches.push(SurfaceBranch {
             curve: fit.curve,

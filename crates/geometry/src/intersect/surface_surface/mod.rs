@@ -25,7 +25,7 @@ use search::Search;
 use tangent_curve::tangent_curve;
 
 use crate::chart::thresholds::{AT_CONTACT, AT_POLE, MET, ON_CURVE, SAME_PLACE, SMALLEST};
-use crate::chart::{Chart, smooth_pieces};
+use crate::chart::{Breaks, Chart, changes_speed, smooth_pieces};
 use crate::trace::{Limits, Pair, fitted, fitted_within};
 use crate::{
     Curve, Error, NurbsCurve, NurbsSurface, Point3, Result, Surface, Tolerance, Vector3, Xform, cancellation,
@@ -123,7 +123,8 @@ pub struct SurfaceMeeting {
 /// The curves in which two NURBS surfaces meet, and the places in which they touch.
 ///
 /// # Method
-/// Both surfaces are cut at their kinks, where a branch that turns ends and another begins. Pairs of Bézier patches are divided until their hulls are proved apart, or
+/// Both surfaces are cut at their kinks, where a branch that turns ends and another begins; where that leaves something
+/// undecided also where their speeds leap, and branches end there. Pairs of Bézier patches are divided until their hulls are proved apart, or
 /// bounds on their derivatives prove that their common curve is a graph over a direction. Curves begin at the common
 /// points of the sides with the other surface ([`curve_surface`](super::curve_surface())) and, for loops, in pairs of parts
 /// that no curve runs through yet; each is followed by steps within boxes that are proved to hold that curve alone. In the
@@ -200,6 +201,17 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     if let Some(met) = exact::meeting([&kinds[0], &kinds[1]], limit)? {
         return Ok(met);
     }
+    let met = met_in_pieces(a, b, limit, Breaks::Turns)?;
+    if met.complete || !(changes_speed(a) || changes_speed(b)) {
+        return Ok(met);
+    }
+    // What is not decided where speeds leap is between pieces that are smooth in them.
+    let finer = met_in_pieces(a, b, limit, Breaks::Speeds)?;
+    Ok(if finer.complete { finer } else { met })
+}
+
+/// What two surfaces have in common, each cut along its breaks of a kind.
+fn met_in_pieces(a: &NurbsSurface, b: &NurbsSurface, limit: f64, breaks: Breaks) -> Result<SurfaceMeeting> {
     let mut out = SurfaceMeeting { branches: Vec::new(), contacts: Vec::new(), complete: true };
     let boxes = [a.hull_box(), b.hull_box()];
     let sizes = boxes.map(|x| x.diagonal().length());
@@ -231,7 +243,7 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
     for (s, own) in charts.iter_mut().enumerate() {
         let other = whole[1 - s].nurbs().hull_box();
         let wanted = |piece: &NurbsSurface| piece.hull_box().distance_to_box(&other) <= reach;
-        for piece in smooth_pieces(whole[s].nurbs(), &wanted)? {
+        for piece in smooth_pieces(whole[s].nurbs(), breaks, &wanted)? {
             own.push(Chart::new(piece)?);
         }
     }
@@ -276,7 +288,7 @@ fn ordered(a: &NurbsSurface, b: &NurbsSurface, limit: f64) -> Result<SurfaceMeet
             followed.append(&mut curves.found);
         }
     }
-    let mut rows = rows::joined(&pair, followed);
+    let mut rows = rows::joined(&pair, followed, breaks);
     ends::led_in(&pair, &mut rows, &out.contacts);
     for row in rows {
         let fit = fitted_within(&pair, &row.places, limit)?;

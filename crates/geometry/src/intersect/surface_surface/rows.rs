@@ -1,5 +1,6 @@
 //! Curves that go on across seams and lines between pieces, as one.
 
+use crate::chart::Breaks;
 use crate::chart::thresholds::{MET, SAME_END, SAME_PARAMETER, SAME_PLACE, SMOOTH};
 use crate::trace::{End, Followed, Four, Pair, Place};
 
@@ -9,8 +10,13 @@ pub(super) struct Row {
     pub(super) closed: bool,
 }
 
-/// The curves joined where one goes on in another.
-pub(super) fn joined(pair: &Pair<'_>, followed: Vec<Followed>) -> Vec<Row> {
+/// The curves joined where one goes on in another: between surfaces that were cut where their speeds leap only where its
+/// images go on at the same speed, since one cubic has one.
+pub(super) fn joined(pair: &Pair<'_>, followed: Vec<Followed>, breaks: Breaks) -> Vec<Row> {
+    let goes_on = |pair: &Pair<'_>, end: &Place, next: &Place| {
+        let shift = goes_on(pair, end, next)?;
+        (breaks == Breaks::Turns || keeps_speed(end, next)).then_some(shift)
+    };
     let mut out = Vec::new();
     let mut open = Vec::new();
     for curve in followed {
@@ -67,6 +73,14 @@ pub(super) fn joined(pair: &Pair<'_>, followed: Vec<Followed>) -> Vec<Row> {
 
 fn shifted(places: &[Place], shift: Four) -> Vec<Place> {
     places.iter().map(|p| Place { x: std::array::from_fn(|k| p.x[k] + shift[k]), ..*p }).collect()
+}
+
+/// Whether the images of a curve go on at the same speed.
+fn keeps_speed(end: &Place, next: &Place) -> bool {
+    (0..4).all(|k| {
+        let (a, b) = (end.velocity[k], next.velocity[k]);
+        (a - b).abs() <= SMOOTH * end.velocity.iter().fold(a.abs().max(b.abs()), |m, v| m.max(v.abs()))
+    })
 }
 
 /// By what the parameters of a curve that begins at `next` are moved to go on from `end`, if it does so smoothly.

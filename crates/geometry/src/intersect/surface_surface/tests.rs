@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::{SurfaceContactKind, SurfaceMeeting, surface_surface};
-use crate::{Curve, NurbsSurface, Plane, Point3, Sphere, Surface, Tolerance, Torus, Vector3, Xform};
+use crate::{
+    Curve, Cylinder, Interval, NurbsSurface, Plane, Point3, Sphere, Surface, Tolerance, Torus, Vector3, Xform,
+};
 
 /// z = a x² + b y² + c over −2…2 in both directions, exactly: x² has the Bernstein coefficients 4, −4, 4 there.
 fn graph(a: f64, b: f64, c: f64) -> NurbsSurface {
@@ -258,4 +260,39 @@ fn bad_input_is_refused() {
     }
     let none = Tolerance { absolute: 0.0, ..Tolerance::default() };
     assert!(surface_surface(&flat, &flat, &none).is_err());
+}
+
+/// A wall whose parts go on smoothly into each other at another speed, cut by tubes and a squeezed ball over that line.
+#[test]
+fn where_speed_leaps_nothing_is_undecided() {
+    let profile = [(0.0, 0.0), (1.0, 0.3), (2.0, 0.5), (3.0, 0.5), (3.5, 0.5), (4.2, 0.2), (5.0, 0.0)];
+    let net = profile.iter().flat_map(|(x, y)| [0.0, 2.0].map(|z| Point3::new(*x, *y, z))).collect();
+    let knots = [vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0], vec![0.0, 1.0]];
+    let wall = NurbsSurface::new([3, 1], [7, 2], net, knots).unwrap();
+    let tolerance = Tolerance { absolute: 1e-5, ..Tolerance::default() };
+    for tilt in [0.0, 0.1, 0.3] {
+        let way = Vector3::new(tilt, 1.0, 0.5 * tilt);
+        let plane = Plane::from_normal(Point3::new(3.05, -1.0, 1.0), way).unwrap();
+        let ball = Sphere::around(Point3::new(3.05, 0.3, 1.0), 0.7).unwrap().to_nurbs().unwrap();
+        let squeezed = Xform::scale_non_uniform(&plane, 1.0, 1.2, 0.9);
+        let mut others = vec![ball.transformed(&squeezed).unwrap()];
+        for radius in [0.3, 0.7] {
+            let tube = Cylinder::new(plane, radius, Interval::new(0.0, 3.0)).unwrap();
+            others.push(tube.to_nurbs().unwrap());
+        }
+        for (k, other) in others.iter().enumerate() {
+            let met = surface_surface(&wall, other, &tolerance).unwrap();
+            assert!(met.complete && met.contacts.is_empty(), "{tilt} {k}: {:?}", met.contacts);
+            // One loop, in one piece or in two that go on in each other.
+            assert!(met.branches.iter().all(|b| b.deviation <= 1e-5), "{tilt} {k}");
+            match met.branches.as_slice() {
+                [only] => assert!(only.closed, "{tilt} {k}"),
+                [a, b] => {
+                    let gap = a.curve.end().distance_to(b.curve.start());
+                    assert!(gap.max(b.curve.end().distance_to(a.curve.start())) <= 1e-9, "{tilt} {k}");
+                }
+                more => panic!("{tilt} {k}: {} branches", more.len()),
+            }
+        }
+    }
 }
