@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """A compute server of this machine for half an hour among clients of every sort.
 
-usage: compute_soak.py BINARY LOAD [--clients 64] [--seconds 1800] [--definitions 50]
+usage: compute_soak.py BINARY LOAD [--clients 64] [--seconds 1800] [--definitions 50] [--allocator deploy|default]
+
+`--allocator default` leaves the settings of the allocator as the system has them, in place of those in deploy/.
 
 LOAD is the client: `cargo build --release -p katydid-server --example compute_load`.
 
@@ -32,8 +34,10 @@ SERVE = ["serve", "--port", "0", "--max-body", str(1 << 20), "--timeout", "20", 
 ALLOCATOR = {"MALLOC_ARENA_MAX": "2", "MALLOC_MMAP_THRESHOLD_": "1048576", "MALLOC_TRIM_THRESHOLD_": "1048576"}
 # A formula that may give a text, so that it is worked out item by item: minutes of work.
 SLOW = 'Expression("if(x > -1e9, sin(x) * cos(x) + sqrt(abs(x)), \\"\\")", x = {})'
-# The part of the time that is warm-up, and the part at either end of the rest that is compared.
-WARM, END = 0.2, 0.1
+# The part of the time that is warm-up, the least seconds of it in a short run, but no more than this part of it (results of jobs
+# are kept for 60, and the allocator's arenas are full after three minutes), and the part at either end of the rest that is
+# compared.
+WARM, LEAST, MOST, END = 0.2, 180, 0.6, 0.1
 MOST_GROWTH = 3.0
 
 
@@ -56,8 +60,8 @@ def endless(binary, folder):
 class Server:
     """The two processes of `katydid serve`."""
 
-    def __init__(self, binary):
-        settings = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "env": {**os.environ, **ALLOCATOR}}
+    def __init__(self, binary, allocator):
+        settings = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "env": {**os.environ, **allocator}}
         self.process = subprocess.Popen([binary, *SERVE], text=True, **settings)
         self.host = self.process.stdout.readline().strip().removeprefix("http://").rstrip("/")
 
@@ -82,14 +86,24 @@ class Server:
         except urllib.error.HTTPError as refused:
             return refused.read().decode()
 
-    def figure(self, name):
-        page = self.ask("GET", "/metrics").splitlines()
-        return sum(float(line.rsplit(" ", 1)[1]) for line in page if line.split("{")[0].split(" ")[0] == name)
-
     def works(self):
         """Whether anything runs or waits, or was given up and is not back."""
-        parts = "solves_running", "solves_waiting", "threads_lost"
-        return any(self.figure(f"katydid_{part}") for part in parts)
+        parts = ("katydid_solves_running ", "katydid_solves_waiting ", "katydid_threads_lost ")
+        page = self.ask("GET", "/metrics").splitlines()
+        return any(float(line.rsplit(" ", 1)[1]) for line in page if line.startswith(parts))
+
+    def computed(self):
+        """The milliseconds of processor time that each solving thread has had."""
+        times = {}
+        for pid in self.pids():
+            for thread in os.listdir(f"/proc/{pid}/task"):
+                try:
+                    with open(f"/proc/{pid}/task/{thread}/comm") as name, open(f"/proc/{pid}/task/{thread}/schedstat") as had:
+                        if name.read().startswith("solve"):
+                            times[thread] = int(had.read().split()[0]) / 1e6
+                except OSError:
+                    continue  # It has ended meanwhile.
+        return times
 
     def end(self):
         self.process.terminate()
@@ -107,17 +121,21 @@ def until(is_so, seconds):
 
 
 def cancelled(server, body):
-    """The milliseconds from the cancellation of a job until nothing runs any more, not even what was given up."""
-    times = []
+    """The milliseconds from the cancellation of a job until nothing runs any more, not even what was given up; and how much
+    of a processor the thread that took most has had meanwhile: where other programs want all processors, work that has a
+    lower priority waits for its turn to end, and holds none."""
+    times, computed = [], []
     for _ in range(20):
         place = "/jobs/" + json.loads(server.ask("POST", "/jobs", body))["id"]
         until(lambda: json.loads(server.ask("GET", place))["state"] == "running", 30)
         time.sleep(0.3)
-        begin = time.perf_counter()
+        before, begin = server.computed(), time.perf_counter()
         server.ask("DELETE", place)
         until(lambda: not server.works(), 30)
         times.append((time.perf_counter() - begin) * 1e3)
-    return sorted(times)
+        after = server.computed()
+        computed.append(max((after[thread] - before.get(thread, 0) for thread in after), default=0))
+    return sorted(times), sorted(computed)
 
 
 def run(server, load, folder, cases, body, words):
@@ -142,8 +160,9 @@ def growth(memory, seconds):
     """Megabytes after the warm-up and at the end, and the growth in percent."""
     def mean(start, end):
         return statistics.mean(size for at, size in memory if start * seconds <= at <= end * seconds) / (1 << 20)
-    early, late = mean(WARM, WARM + END), mean(1 - END, 1.0)
-    return early, late, (late / early - 1) * 100
+    warm = max(WARM, min(LEAST / seconds, MOST))
+    early, late = mean(warm, warm + END), mean(1 - END, 1.0)
+    return early, late, (late / early - 1) * 100, [mean(tenth / 10, (tenth + 1) / 10) for tenth in range(10)]
 
 
 def report(seen, memory, words):
@@ -156,8 +175,9 @@ def report(seen, memory, words):
         first = f", first: {turn['first']}" if turn["first"] else ""
         print(f"{name}: {turn['right']} right, {turn['wrong']} wrong, {turn['refused']} refused, {turn['broken']} unanswered{first}")
         faults += turn["wrong"] + turn["broken"]
-    early, late, grown = growth(memory, words.seconds)
+    early, late, grown, course = growth(memory, words.seconds)
     print(f"memory: {early:.1f} MB after warm-up, {late:.1f} MB at the end, {grown:+.1f} %")
+    print("memory by tenths of the time: " + ", ".join(f"{size:.1f}" for size in course) + " MB")
     return faults + (grown > MOST_GROWTH)
 
 
@@ -168,6 +188,7 @@ def main():
     words.add_argument("--clients", type=int, default=64)
     words.add_argument("--seconds", type=float, default=1800)
     words.add_argument("--definitions", type=int, default=50)
+    words.add_argument("--allocator", choices=["deploy", "default"], default="deploy")
     words = words.parse_args()
     binary = os.path.abspath(words.binary)
     with tempfile.TemporaryDirectory() as folder:
@@ -179,7 +200,7 @@ def main():
                 values = [{"ParamName": "RH_IN:a", "InnerTree": {"0": [{"data": value}]}}]
                 cases.append({"body": json.dumps({"algo": algo, "values": values}), "expected": branches})
         body = endless(binary, folder)
-        server = Server(binary)
+        server = Server(binary, ALLOCATOR if words.allocator == "deploy" else {})
         try:
             sys.exit(1 if measure(server, words, folder, cases, body) else 0)
         finally:
@@ -190,8 +211,9 @@ def measure(server, words, folder, cases, body):
     until(lambda: server.ask("GET", "/healthcheck") == "Healthy", 30)
     server.ask("POST", "/grasshopper", cases[0]["body"].encode())
     first = server.descriptors()
-    times = cancelled(server, body.encode())
+    times, computed = cancelled(server, body.encode())
     print(f"cancelled until free: median {statistics.median(times):.1f} ms, most {times[-1]:.1f} ms")
+    print(f"computed after that: median {statistics.median(computed):.1f} ms, most {computed[-1]:.1f} ms")
     pids = server.pids()
     seen, memory = run(server, words.load, folder, cases, body, words)
     faults = report(seen, memory, words)

@@ -118,7 +118,8 @@ fn sort_list(
     context.items(keys.len().saturating_mul(values.len() + 1))?;
     let (sorted_keys, indices) = match keys.as_slice().filter(|keys| !keys.iter().any(|x| x.is_nan())) {
         Some(keys) => {
-            let indices = ascending(keys);
+            let indices = ascending(keys, || context.check().is_ok());
+            given_up(context, &indices)?;
             (indices.iter().filter_map(|&i| keys.get(i).copied()).collect(), indices)
         }
         None => {
@@ -128,7 +129,8 @@ fn sort_list(
             if numbers.len() < keys.len() {
                 context.warn("Some keys are null or not a number: they are left out");
             }
-            let order = ascending(&numbers);
+            let order = ascending(&numbers, || context.check().is_ok());
+            given_up(context, &order)?;
             let keys: Vec<f64> = order.iter().filter_map(|&k| numbers.get(k).copied()).collect();
             (keys, order.iter().filter_map(|&k| places.get(k).copied()).collect())
         }
@@ -144,6 +146,11 @@ fn sort_list(
     });
     let sorted = sorted.collect();
     Ok((sorted_keys, Each(sorted)))
+}
+
+/// Why there is no order, where it was given up.
+fn given_up(context: &Context<'_>, order: &[usize]) -> Result<(), Message> {
+    if order.is_empty() { context.check() } else { Ok(()) }
 }
 
 #[cfg(test)]
