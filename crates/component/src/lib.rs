@@ -24,6 +24,7 @@
 //! assert_eq!(katydid_component::registry::by_name("Doc Distance").unwrap().inputs.len(), 2);
 //! ```
 
+mod baker;
 mod budget;
 mod call;
 mod context;
@@ -46,6 +47,7 @@ pub mod testing;
 mod trust;
 pub mod whole;
 
+pub use baker::{Baker, baker};
 pub use budget::{Budget, Cancel, Deadline, Limits};
 pub use call::{Call, Outcome};
 pub use context::Context;
