@@ -19,6 +19,7 @@ mod color_plus;
 mod dendro;
 mod docofossor;
 mod elefront;
+mod ghowl;
 mod hoopsnake;
 mod human;
 mod jswan;
@@ -56,6 +57,7 @@ plugins! {
     "Dendro" by "ecr labs" as "dendro";
     "Docofossor" by "Mathias Bernhard, Ilmar Hurkxkens" as "docofossor";
     "EleFront" by "Ramon van der Heijden, Alan Tai" as "elefront";
+    "gHowl" by "Luis Fraguada, Damien Alomar, Giulio Piacentino" as "ghowl";
     "HoopSnake" by "Yannis Chatzikonstantinou" as "hoopsnake";
     "Human" by "Andrew Heumann" as "human";
     "jSwan" by "Andrew Heumann" as "jswan";
