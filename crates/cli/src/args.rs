@@ -219,6 +219,11 @@ pub(crate) struct RunArgs {
     #[arg(long)]
     pub(crate) blocks: bool,
 
+    /// Write the files that components write (spreadsheets, XML, KML, grids, pictures), into this folder: only the names of the
+    /// files that a definition gives count
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) write: Option<PathBuf>,
+
     /// Write what panels stream to files, into this folder: only the names of the files that a definition gives count
     #[arg(long, value_name = "FOLDER")]
     pub(crate) panels: Option<PathBuf>,

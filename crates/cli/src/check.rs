@@ -27,7 +27,11 @@ pub(crate) fn check(args: &CheckArgs) -> Result<u8, String> {
     let results: Vec<(PathBuf, Result<Check, String>)> = files
         .into_iter()
         .map(|file| {
-            let checked = source::document(&file).map(|document| scripts.examined(&file, examine(&document)));
+            let checked = source::document(&file).map(|document| {
+                let mut check = scripts.examined(&file, examine(&document));
+                check.look_at_outputs(&document);
+                check
+            });
             (file, checked)
         })
         .collect();
@@ -136,6 +140,7 @@ fn entry(file: &Path, result: &Result<Check, String>) -> serde_json::Value {
             "objects": check.objects,
             "unsupported": check.unsupported,
             "runnable": check.runnable,
+            "outputs": check.outputs,
         }),
         Err(error) => json!({ "file": file, "error": error, "runnable": false }),
     }
@@ -149,7 +154,7 @@ fn told(known: &KnownOfPlugin) -> String {
     if !by.is_empty() {
         parts.push(by.join(" by "));
     }
-    let about: String = known.description.split_whitespace().collect::<Vec<_>>().join(" ");
+    let about = one_line(&known.description);
     if !about.is_empty() {
         parts.push(about);
     }
@@ -158,6 +163,46 @@ fn told(known: &KnownOfPlugin) -> String {
         parts.push("other components of this plug-in run".to_owned());
     }
     parts.join("; ")
+}
+
+/// So many outputs are named; `--json` has all.
+const MOST_NAMED: usize = 12;
+
+/// What runs without what is missing, in lines.
+fn without(check: &Check) -> Vec<String> {
+    let outputs = &check.outputs;
+    let kind = if outputs.marked { "marked outputs" } else { "outputs (what no wire leads on from)" };
+    if outputs.count == 0 {
+        return vec!["         it has no outputs".to_owned()];
+    }
+    if outputs.missing.is_empty() {
+        return vec![format!(
+            "         {GREEN}runs without them{GREEN:#}: all {} {kind} are whole",
+            outputs.count
+        )];
+    }
+    let mut lines = vec![format!(
+        "         without them {} of {} {kind} are whole; missing:",
+        outputs.whole, outputs.count
+    )];
+    for missing in outputs.missing.iter().take(MOST_NAMED) {
+        let component = if missing.name == missing.component {
+            String::new()
+        } else {
+            format!(" ({})", missing.component)
+        };
+        let needs = missing.needs.join(", ");
+        lines.push(format!("              {}{component} {DIM}needs {needs}{DIM:#}", one_line(&missing.name)));
+    }
+    let more = outputs.missing.len().saturating_sub(MOST_NAMED);
+    if more > 0 {
+        lines.push(format!("              and {more} more"));
+    }
+    lines
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn print(results: &[(PathBuf, Result<Check, String>)]) {
@@ -183,6 +228,7 @@ fn print(results: &[(PathBuf, Result<Check, String>)]) {
                         say(&format!("              {DIM}{}{DIM:#}", told(known)));
                     }
                 }
+                without(check).iter().for_each(|line| say(line));
                 missing += count;
             }
             Err(error) => say(&format!("{RED}fails{RED:#}    {error}")),

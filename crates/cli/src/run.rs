@@ -3,8 +3,9 @@
 use std::collections::HashSet;
 use std::io::BufWriter;
 use std::path::Path;
+use std::sync::Arc;
 
-use katydid_component::Level;
+use katydid_component::{Level, Outbox};
 use katydid_exchange::Format;
 use katydid_session::{BakeOptions, Items, OutputFile, Session, bake, panel_streams, write_panel};
 use katydid_solver::Status;
@@ -35,6 +36,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
     if let Some(bytes) = args.limit_bytes {
         options.limits = options.limits.with_bytes(bytes);
     }
+    let outbox = args.write.as_ref().map(|_| Arc::new(Outbox::default()));
+    options.outbox.clone_from(&outbox);
     // A report shows every output, and what is saved has what is previewed, which no wire need read.
     options.skip_unread = args.json.is_none() && args.output.is_empty() && args.explain.is_none();
     let whole = ticks::solve(&mut session, &args.definition);
@@ -44,6 +47,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<u8, String> {
         save(&session, args, path)?;
     }
     write_panels(&session, args.panels.as_deref())?;
+    if let (Some(folder), Some(outbox)) = (&args.write, &outbox) {
+        write_files(outbox, folder)?;
+    }
     if let Some(name) = &args.explain {
         explain::explain(&session, name)?;
     }
@@ -136,6 +142,20 @@ fn write_panels(session: &Session, folder: Option<&Path>) -> Result<(), String> 
         let file = file.into_inner().map_err(|error| failed(error.into_error()))?;
         file.finish().map_err(failed)?;
         note(&format!("{GREEN}{lines}{GREEN:#} lines of {title} written to {}", path.display()));
+    }
+    Ok(())
+}
+
+/// Writes the files that components have written into the folder that was given.
+fn write_files(outbox: &Outbox, folder: &Path) -> Result<(), String> {
+    let files = outbox.take();
+    if files.is_empty() {
+        note("No component writes a file");
+    }
+    for file in files {
+        let path = folder.join(&file.name);
+        write_file(&path, &file.bytes)?;
+        note(&format!("{GREEN}{}{GREEN:#} bytes written to {}", file.bytes.len(), path.display()));
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 use katydid_data::{Tree, cast::Rules};
 use katydid_definition::archive::Chunk;
 
-use crate::{Budget, Files, Message, RhinoModel};
+use crate::{Budget, Files, Message, Outbox, RhinoModel};
 
 /// Everything one run of a component gets.
 #[derive(Debug)]
@@ -22,6 +22,8 @@ pub struct Call<'a> {
     pub budget: &'a Budget,
     /// The files that may be read.
     pub files: &'a Files,
+    /// Where files that components write go; none are written where there is none.
+    pub outbox: Option<&'a Outbox>,
     /// The Rhino model that the definition looks into, when one is given.
     pub model: Option<&'a RhinoModel>,
 }

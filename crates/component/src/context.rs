@@ -117,6 +117,27 @@ impl<'a> Context<'a> {
         Ok(bytes)
     }
 
+    /// Writes a file, of whose path only the name counts; gives that name. Where whoever runs the definition wants no files, a
+    /// warning says so, and nothing is written.
+    ///
+    /// # Errors
+    /// The message to give back when the path has no name of a file, or the file is too large.
+    pub fn write_file(&self, path: &str, bytes: Vec<u8>) -> Result<Option<String>, Message> {
+        let Some(outbox) = self.call.outbox else {
+            self.warn(
+                "The file is not written: `katydid run --write FOLDER` writes the files of a definition",
+            );
+            return Ok(None);
+        };
+        self.bytes(bytes.len())?;
+        outbox.put(path, bytes).map(Some)
+    }
+
+    /// Whether files that are written are wanted: making them may be left out else.
+    pub fn writes_files(&self) -> bool {
+        self.call.outbox.is_some()
+    }
+
     /// The Rhino model that the definition looks into, when one is given.
     pub fn model(&self) -> Option<&'a RhinoModel> {
         self.call.model

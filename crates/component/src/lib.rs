@@ -24,6 +24,7 @@
 //! assert_eq!(katydid_component::registry::by_name("Doc Distance").unwrap().inputs.len(), 2);
 //! ```
 
+mod baker;
 mod budget;
 mod call;
 mod context;
@@ -32,6 +33,7 @@ mod input;
 mod iterate;
 mod matching;
 mod message;
+mod outbox;
 mod output;
 mod pace;
 mod port;
@@ -45,6 +47,7 @@ pub mod testing;
 mod trust;
 pub mod whole;
 
+pub use baker::{Baker, baker};
 pub use budget::{Budget, Cancel, Deadline, Limits};
 pub use call::{Call, Outcome};
 pub use context::Context;
@@ -54,6 +57,7 @@ pub use katydid_component_macros::component;
 pub use katydid_memory::Account;
 pub use matching::{Matching, Ranges};
 pub use message::{Level, Message, ModelLack, Notes};
+pub use outbox::{OutFile, Outbox, file_name};
 pub use output::{Each, ItemOrList};
 pub use port::{Access, Component, Port};
 pub use rhino_model::{RhinoModel, RhinoObject};

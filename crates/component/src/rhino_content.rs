@@ -4,21 +4,23 @@ use std::collections::HashMap;
 use std::sync::Arc as Shared;
 
 use katydid_3dm::{
-    Attributes, Block, LinetypeSegment, Model, ModelObject as Archived, Object, ObjectMode, UserData,
+    Attributes, Block, LinetypeSegment, Model, ModelObject as Archived, Object, ObjectMode, Source, UserData,
 };
 use katydid_data::{
-    BlockDefinition, BlockInstance, Colour, ModelLayer, ModelLinetype, ModelObject, Value, Visibility,
+    BlockDefinition, BlockInstance, Colour, Material, ModelLayer, ModelLinetype, ModelMaterial, ModelObject,
+    Value, Visibility,
 };
 use uuid::Uuid;
 
 /// Blocks in blocks beyond this depth are not followed.
 const DEEPEST: usize = 50;
 
-/// Layers, groups and linetypes in the order of their tables.
+/// Layers, groups, materials and linetypes in the order of their tables.
 #[derive(Debug, Default)]
 pub(crate) struct Tables {
     pub(crate) layers: Vec<Shared<ModelLayer>>,
     pub(crate) groups: Vec<Shared<str>>,
+    pub(crate) materials: Vec<Shared<ModelMaterial>>,
     pub(crate) linetypes: Vec<Shared<ModelLinetype>>,
 }
 
@@ -29,6 +31,7 @@ impl Tables {
         Self {
             layers: (0..model.layers.len()).map(|place| Shared::new(layer(model, place, &places))).collect(),
             groups: model.groups.iter().map(|group| Shared::from(group.name.as_str())).collect(),
+            materials: model.materials.iter().map(|material| Shared::new(self::material(material))).collect(),
             linetypes: model.linetypes.iter().map(|linetype| Shared::new(self::linetype(linetype))).collect(),
         }
     }
@@ -52,6 +55,10 @@ impl Tables {
                 _ => Visibility::Normal,
             },
             colour: attributes.colour.map(colour),
+            material: attributes
+                .material
+                .filter(|_| attributes.material_source == Source::Object)
+                .and_then(|place| self.materials.get(place).cloned()),
             groups: attributes.groups.iter().filter_map(group).collect(),
             user_text: Vec::new(),
             geometry_text: Vec::new(),
@@ -79,6 +86,19 @@ fn layer(model: &Model, place: usize, places: &HashMap<Uuid, usize>) -> ModelLay
         hidden: chain.iter().any(|layer| !layer.visible),
         locked: chain.iter().any(|layer| layer.locked),
     }
+}
+
+fn material(material: &katydid_3dm::Material) -> ModelMaterial {
+    /// The sharpest highlights that archives know.
+    const SHARPEST: f64 = 255.0;
+    let look = Material {
+        diffuse: colour(material.diffuse),
+        specular: colour(material.specular),
+        emission: colour(material.emission),
+        transparency: material.transparency,
+        shine: material.shine / SHARPEST,
+    };
+    ModelMaterial { name: material.name.as_str().into(), look: Some(look) }
 }
 
 fn linetype(linetype: &katydid_3dm::Linetype) -> ModelLinetype {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value, text};
 use katydid_definition::archive::{Chunk, ItemValue};
 
-use crate::{Account, Budget, Call, Component, Files, Limits, Outcome, RhinoModel, registry};
+use crate::{Account, Budget, Call, Component, Files, Limits, Outbox, Outcome, RhinoModel, registry};
 
 /// A component with its inputs.
 ///
@@ -34,6 +34,7 @@ pub struct Trial {
     outputs: usize,
     limits: Limits,
     files: Files,
+    outbox: Option<Arc<Outbox>>,
     model: Option<RhinoModel>,
 }
 
@@ -68,6 +69,7 @@ impl Trial {
             outputs: component.outputs.len(),
             limits: Limits::default(),
             files: Files::default(),
+            outbox: None,
             model: None,
         }
     }
@@ -173,6 +175,13 @@ impl Trial {
         self
     }
 
+    /// The files that the component writes go there.
+    #[must_use]
+    pub fn outbox(mut self, outbox: &Arc<Outbox>) -> Self {
+        self.outbox = Some(outbox.clone());
+        self
+    }
+
     /// Runs it; inputs not given have their defaults.
     pub fn run(mut self) -> Outcome {
         while self.component.inputs.get(self.inputs.len()).is_some_and(|p| !p.many) {
@@ -189,6 +198,7 @@ impl Trial {
             rules: Default::default(),
             budget: &budget,
             files: &self.files,
+            outbox: self.outbox.as_deref(),
             model: self.model.as_ref(),
         };
         budget.token().during(|| (self.component.run)(&call))

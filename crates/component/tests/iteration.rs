@@ -189,6 +189,7 @@ fn run_limited(name: &str, inputs: &[Tree], outputs: usize, limits: Limits) -> O
         rules: Default::default(),
         budget: &budget,
         files: &Default::default(),
+        outbox: None,
         model: None,
     };
     (component.run)(&call)

@@ -249,6 +249,7 @@ fn feed(component: &Component, inputs: &[Tree], watch: &Watch) -> Option<String>
         rules: Default::default(),
         budget: &budget,
         files: &Default::default(),
+        outbox: None,
         model: None,
     };
     let Ok(outcome) = catch_unwind(AssertUnwindSafe(|| budget.token().during(|| (component.run)(&call))))

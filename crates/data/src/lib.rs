@@ -50,8 +50,8 @@ pub use column::{Column, Items};
 pub use complex::Complex;
 pub use compound::Compound;
 pub use content::{
-    Atom, BlockDefinition, BlockInstance, Content, Filter, Keeper, ModelLayer, ModelLinetype, ModelObject,
-    Token, Visibility,
+    Atom, BlockDefinition, BlockInstance, Content, Filter, Keeper, ModelLayer, ModelLinetype, ModelMaterial,
+    ModelObject, Token, Visibility,
 };
 pub use domain2::Domain2;
 pub use face::Face;

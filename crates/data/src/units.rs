@@ -22,9 +22,31 @@ pub fn named(name: &str) -> Option<Units> {
     ALL.into_iter().find(|units| units.name().to_lowercase() == name)
 }
 
+/// The length of a unit in metres; that of no unit is taken for one.
+pub const fn metres(units: Units) -> f64 {
+    match units {
+        Units::None | Units::Meters => 1.0,
+        Units::Microns => 1e-6,
+        Units::Millimeters => 1e-3,
+        Units::Centimeters => 1e-2,
+        Units::Kilometers => 1e3,
+        Units::Inches => 0.0254,
+        Units::Feet => 0.3048,
+        Units::Yards => 0.9144,
+        Units::Miles => 1609.344,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lengths_of_units() {
+        assert_eq!(metres(Units::Miles), 1760.0 * metres(Units::Yards));
+        assert_eq!(metres(Units::Yards), 3.0 * metres(Units::Feet));
+        assert!((12.0 * metres(Units::Inches) - metres(Units::Feet)).abs() < 1e-15);
+    }
 
     #[test]
     fn units_are_known_in_either_spelling() {

@@ -45,7 +45,7 @@ mod view;
 pub use bake::{BakeOptions, Baked, bake};
 pub use catalogue::Registry;
 pub use change::{Change, Refusal};
-pub use check::{Check, KnownOfPlugin, ScriptObject, Unsupported, check};
+pub use check::{Check, KnownOfPlugin, MissingOutput, Outputs, ScriptObject, Unsupported, check};
 pub use editor::{About, Editor, NoResults, Results};
 pub use edits::new_object;
 pub use explain::{explain, explainable, nurbs_of};

@@ -5,12 +5,10 @@
 
 use std::io::{self, Write};
 
+use katydid_component::file_name;
 use katydid_data::text;
 use katydid_definition::document::{Document, Special};
 use katydid_solver::Engine;
-
-/// The most bytes that systems take for the name of a file.
-const LONGEST_NAME: usize = 255;
 
 /// A panel whose contents go to a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -35,16 +33,6 @@ pub fn panel_streams(document: &Document) -> Vec<PanelStream> {
         .collect()
 }
 
-/// The name of the file of a path of Windows or Unix.
-fn file_name(path: &str) -> Option<&str> {
-    let name = path.rsplit(['/', '\\', ':']).next()?.trim();
-    let is_safe = !name.is_empty()
-        && name.len() <= LONGEST_NAME
-        && !name.chars().all(|letter| letter == '.')
-        && !name.chars().any(char::is_control);
-    is_safe.then_some(name)
-}
-
 /// Writes what a panel shows: a line an item, as the panel writes it, without paths and indices. Gives the number of lines.
 ///
 /// # Errors
@@ -61,30 +49,4 @@ pub fn write_panel(engine: &Engine, object: usize, mut to: impl Write) -> io::Re
         }
     }
     Ok(lines)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::file_name;
-
-    #[test]
-    fn only_the_name_of_a_path_counts() {
-        for (path, name) in [
-            ("C:\\Users\\anna\\Desktop\\points.txt", Some("points.txt")),
-            ("/tmp/points.csv", Some("points.csv")),
-            ("points.txt", Some("points.txt")),
-            ("../../etc/cron.d/evil", Some("evil")),
-            ("C:points.txt", Some("points.txt")),
-            ("..", None),
-            ("a/..", None),
-            ("a/", None),
-            ("", None),
-            ("a\n", Some("a")),
-            ("a\nb", None),
-            ("a\0b", None),
-        ] {
-            assert_eq!(file_name(path), name, "{path:?}");
-        }
-        assert_eq!(file_name(&"a".repeat(256)), None);
-    }
 }

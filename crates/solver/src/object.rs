@@ -178,6 +178,7 @@ fn run(
         rules,
         budget,
         files: &turn.options.files,
+        outbox: turn.options.outbox.as_deref(),
         model: turn.options.model.as_deref(),
     };
     let outcome = catch_unwind(AssertUnwindSafe(|| (component.run)(&call)));

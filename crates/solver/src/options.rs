@@ -2,7 +2,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use katydid_component::{Account, Cancel, Files, Limits, RhinoModel};
+use katydid_component::{Account, Cancel, Files, Limits, Outbox, RhinoModel};
 use katydid_data::cast::Rules;
 use katydid_definition::document::Object;
 
@@ -49,6 +49,8 @@ pub struct Options {
     pub cancel: Cancel,
     /// Which files the definition may read; none unless said so.
     pub files: Files,
+    /// Where files that components write go; none are written unless there is one.
+    pub outbox: Option<Arc<Outbox>>,
     /// The Rhino model that parameters refer to, when there is one.
     pub model: Option<Arc<RhinoModel>>,
     /// Which other servers Hops components may ask; none unless said so.

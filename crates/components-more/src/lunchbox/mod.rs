@@ -1,6 +1,7 @@
-//! LunchBox: panels and structures on surfaces.
+//! LunchBox: panels and structures on surfaces, and spreadsheets.
 
 mod panels;
+mod sheets;
 mod structures;
 #[cfg(test)]
 mod tests;

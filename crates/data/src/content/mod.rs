@@ -13,7 +13,7 @@ pub use atom::Atom;
 pub use block::{BlockDefinition, BlockInstance};
 pub use filter::Filter;
 pub use object::{ModelObject, Visibility};
-pub use tables::{ModelLayer, ModelLinetype};
+pub use tables::{ModelLayer, ModelLinetype, ModelMaterial};
 pub use token::{Keeper, Token};
 
 use std::sync::Arc as Shared;

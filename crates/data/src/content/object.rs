@@ -2,7 +2,7 @@ use std::sync::Arc as Shared;
 
 use uuid::Uuid;
 
-use super::{Content, ModelLayer};
+use super::{Content, ModelLayer, ModelMaterial};
 use crate::{Colour, Value};
 
 /// Geometry with the attributes that a Rhino model keeps of it.
@@ -20,6 +20,8 @@ pub struct ModelObject {
     pub visibility: Visibility,
     /// Its own colour; without one it has its layer's.
     pub colour: Option<Colour>,
+    /// Its own material; without one it has its layer's.
+    pub material: Option<Shared<ModelMaterial>>,
     /// The names of its groups.
     pub groups: Vec<Shared<str>>,
     /// Pairs of a key and a text, in their order. No key is twice.

@@ -2,7 +2,7 @@ use std::sync::Arc as Shared;
 
 use uuid::Uuid;
 
-use crate::Colour;
+use crate::{Colour, Material};
 
 /// A layer of a Rhino model.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -33,6 +33,22 @@ impl ModelLayer {
     /// The path of the layer it lies in.
     pub fn parent(&self) -> Option<&str> {
         self.path.rsplit_once("::").map(|(parent, _)| parent)
+    }
+}
+
+/// A material of a Rhino model.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ModelMaterial {
+    /// Its name; empty where it has none.
+    pub name: Shared<str>,
+    /// How it looks; none where only its name is known.
+    pub look: Option<Material>,
+}
+
+impl ModelMaterial {
+    /// A material of which only the name is known.
+    pub fn named(name: impl Into<Shared<str>>) -> Self {
+        Self { name: name.into(), look: None }
     }
 }
 

@@ -4,10 +4,12 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use katydid_3dm::{
-    Attributes, Limits, LineCap, LineJoin, Linetype, LinetypeSegment, Model, ModelObject as Archived, Object,
-    ObjectMode, UserData,
+    Attributes, Limits, LineCap, LineJoin, Linetype, LinetypeSegment, Material, Model,
+    ModelObject as Archived, Object, ObjectMode, Source, UserData,
 };
-use katydid_data::{BlockDefinition, ModelLayer, ModelLinetype, ModelObject, Visibility, cast};
+use katydid_data::{
+    BlockDefinition, Colour, ModelLayer, ModelLinetype, ModelMaterial, ModelObject, Visibility, cast,
+};
 use uuid::Uuid;
 
 use super::pieces;
@@ -58,10 +60,13 @@ pub(super) fn attributes(model: &mut Model, object: &ModelObject) -> Attributes 
     let text = |(key, text): &(Arc<str>, Arc<str>)| (key.to_string(), text.to_string());
     let mut groups: Vec<usize> = object.groups.iter().map(|name| model.group_named(name)).collect();
     groups.dedup();
+    let material = object.material.as_deref().map(|material| put_material(model, material));
     Attributes {
         name: object.name.to_string(),
         layer: object.layer.as_deref().and_then(|layer| put_layer(model, layer)),
-        colour: object.colour.map(|c| [c.r, c.g, c.b, c.a]),
+        colour: object.colour.map(bytes),
+        material,
+        material_source: if material.is_some() { Source::Object } else { Source::default() },
         mode: match object.visibility {
             Visibility::Normal => ObjectMode::Normal,
             Visibility::Hidden => ObjectMode::Hidden,
@@ -72,6 +77,31 @@ pub(super) fn attributes(model: &mut Model, object: &ModelObject) -> Attributes 
         user_strings: object.user_text.iter().map(text).collect(),
         ..Attributes::default()
     }
+}
+
+fn bytes(c: Colour) -> [u8; 4] {
+    [c.r, c.g, c.b, c.a]
+}
+
+/// The place of a material in the model: one of the same name and look, else a new one.
+fn put_material(model: &mut Model, material: &ModelMaterial) -> usize {
+    /// The sharpest highlights that archives know.
+    const SHARPEST: f64 = 255.0;
+    let mut entry = Material { name: material.name.to_string(), ..Material::default() };
+    if let Some(look) = material.look {
+        entry.diffuse = bytes(look.diffuse);
+        entry.specular = bytes(look.specular);
+        entry.emission = bytes(look.emission);
+        entry.transparency = look.transparency;
+        entry.shine = look.shine * SHARPEST;
+    }
+    // A name alone means the material that has it, whatever its look.
+    let same = |known: &Material| known.name == entry.name && (material.look.is_none() || *known == entry);
+    if let Some(place) = model.materials.iter().position(same) {
+        return place;
+    }
+    model.materials.push(entry);
+    model.materials.len() - 1
 }
 
 /// The texts that geometry carries itself, as its user data.

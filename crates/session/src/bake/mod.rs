@@ -8,11 +8,11 @@ mod valid;
 use std::collections::HashSet;
 
 use katydid_3dm::{Attributes, Group, Model, Object as Archived};
-use katydid_component::{Access, Matching, Ranges};
+use katydid_component::{Access, Matching, Ranges, baker};
 use katydid_data::{Colour, Column, Content, Item, Kind, Material, Path, Tree, Value, cast};
 use katydid_definition::document::{Document, Object, Special, ids};
 use katydid_geometry::CancellationToken;
-use katydid_solver::{Engine, Inputs};
+use katydid_solver::{Engine, Inputs, of_object};
 use uuid::{Uuid, uuid};
 
 /// Custom Preview: geometry, and the material that it is seen in.
@@ -38,8 +38,9 @@ pub struct Baked {
     pub remarks: Vec<String>,
 }
 
-/// Bakes the geometry of a solved definition: what is marked as output (Context Bake, a group called `RH_OUT`),
-/// or, where nothing is, all that is previewed. The options may name the objects instead.
+/// Bakes the geometry of a solved definition: what is marked as output (Context Bake, a group called `RH_OUT`) and what components
+/// bake that are told to (EleFront's Bake Objects), or, where there is neither, all that is previewed. The options may name the
+/// objects instead.
 ///
 /// Each object of the definition has a layer of its name, but model objects have what is said of them: name, layer,
 /// colour, groups, state and user text; blocks, layers and linetypes go into the tables. What comes out of a Custom Preview has the colour of its
@@ -56,13 +57,19 @@ pub fn bake(engine: &Engine, options: BakeOptions) -> Baked {
         blocks: content::Blocks::default(),
     };
     let inputs = Inputs::new(engine);
-    let marked = marked(document);
+    let bakers = bakers(engine, &inputs);
+    let marked = marked(document).or_else(|| (!bakers.is_empty()).then(Vec::new));
     for (index, object) in document.objects.iter().enumerate() {
         let shown = match (&options.objects, &marked) {
             (Some(objects), _) => objects.contains(&object.id),
             (None, Some(marked)) => marked.contains(&index),
             (None, None) => !object.hidden && !object.locked && !object.is_annotation(),
         };
+        if let Some((_, values)) = bakers.iter().find(|(at, _)| *at == index) {
+            let named = options.objects.as_ref().is_none_or(|objects| objects.contains(&object.id));
+            baking.add_values(object, if named { values } else { &[] });
+            continue;
+        }
         let Some(report) = engine.report(index).filter(|_| shown) else { continue };
         for tree in &report.outputs {
             baking.add_tree(object, tree);
@@ -100,6 +107,18 @@ fn marked(document: &Document) -> Option<Vec<usize>> {
     (!marked.is_empty()).then_some(marked)
 }
 
+/// What components bake that are told to, by the places of their objects.
+fn bakers(engine: &Engine, inputs: &Inputs<'_>) -> Vec<(usize, Vec<Value>)> {
+    let document = engine.document();
+    let objects = document.objects.iter().enumerate().filter(|(_, object)| !object.locked);
+    let baked = objects.filter_map(|(index, object)| {
+        let baker = baker(of_object(document, object)?.component.guid)?;
+        let values = (baker.objects)(&inputs.of(index), &engine.options().rules);
+        (!values.is_empty()).then_some((index, values))
+    });
+    baked.collect()
+}
+
 /// Where a piece comes from.
 struct Source<'a> {
     object: &'a Object,
@@ -131,6 +150,17 @@ impl Baking<'_> {
                     self.add(&value, None, &Source { object, path, index });
                 }
             }
+        }
+    }
+
+    /// What a component bakes, in its order.
+    fn add_values(&mut self, object: &Object, values: &[Value]) {
+        let path = Path::zero();
+        for (index, value) in values.iter().enumerate() {
+            if CancellationToken::is_over() {
+                return;
+            }
+            self.add(value, None, &Source { object, path: &path, index });
         }
     }
 

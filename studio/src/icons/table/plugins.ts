@@ -27,13 +27,21 @@ const shown = of([ink("M2 12C6 5 18 5 22 12C18 19 6 19 2 12Z", circle(12, 12, 3)
 const wave = of(s.wave);
 const soft = of(s.subd);
 const solid = of(s.box);
+const rows = of([ink(rect(3, 4, 18, 16), line(3, 9, 21, 9), line(3, 14, 21, 14), line(9, 4, 9, 20))]);
+const globe = of([ink(circle(12, 12, 9), line(3, 12, 21, 12), line(12, 3, 12, 21)), faint("M12 3C6 8 6 16 12 21M12 3C18 8 18 16 12 21")]);
+const branched = of([ink(line(4, 12, 10, 12), line(10, 5, 10, 19), line(10, 5, 18, 5), line(10, 12, 18, 12), line(10, 19, 18, 19)), dot(4, 12, 19, 5, 19, 12, 19, 19)]);
 
 export const human: Tab = {
   Display: {
     "Custom Preview Lineweights": shown("CP"),
     "Custom Preview Materials": shown("CM"),
   },
+  Creation: {
+    "Bake Geometry": solid("BG"),
+    CreateAttributes: solid("CA"),
+  },
   Reference: {
+    "Object Attributes": solid("OA"),
     "Read 3dm File": solid("R3"),
   },
 };
@@ -183,6 +191,63 @@ export const lunchbox: Tab = {
     "Braced Grid 2D Structure": frame("BS"),
     "Diagrid Structure": frame("DS"),
     "Grid Structure": frame("GS"),
+  },
+  Workflow: {
+    "Excel Reader": rows("ER"),
+    "Excel Write": rows("EW"),
+  },
+};
+
+export const ghowl: Tab = {
+  GEO: {
+    "Format Geo": globe("FG"),
+    "Geo to XYZ": globe("GX"),
+    "XYZ to Geo": globe("XG"),
+  },
+  KML: {
+    "KML Exporter": globe("KE"),
+    "KML Style": globe("KS"),
+  },
+  Spreadsheet: {
+    "Spreadsheet Reader": rows("SR"),
+    "Spreadsheet Writer": rows("SW"),
+  },
+  UDP: {
+    "OSC Channel": wave("OC"),
+    "OSC Dispatch": wave("OD"),
+  },
+  XML: {
+    "Write XML": branched("WX"),
+    "Xml Parser": branched("XP"),
+  },
+};
+
+export const editree: Tab = {
+  EdiTree: {
+    "Divide List": branched("DL"),
+    "Partition List Adv": branched("PL"),
+    "Split List Multi": branched("SL"),
+    SubTree: branched("ST"),
+  },
+};
+
+export const treefrog: Tab = {
+  TreeFrog: {
+    "Assign Paths": branched("AP"),
+    "Graft By Data": branched("GD"),
+    "Match Paths": branched("MP"),
+    "Path Description": branched("PD"),
+  },
+};
+
+export const heteroptera: Tab = {
+  Maths: {
+    "Closest Numbers": points("CN"),
+    "Intersect Domains": taut("ID"),
+    "Numbers On Grid": rows("NG"),
+  },
+  Utilities: {
+    "Allocate By Index": branched("AI"),
   },
 };
 

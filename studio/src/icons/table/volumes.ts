@@ -15,14 +15,22 @@ const tag = of([ink(poly(3, 12, 10, 5, 21, 5, 21, 19, 10, 19)), hotDot(8, 12)]);
 
 export const elefront: Tab = {
   "01 Reference": {
+    "Reference by BakeName": found("RB"),
     "Reference by Key": found("RK"),
     "Reference by Key and Value": found("RV"),
     "Reference by Layer": found("RL"),
     "Reference by Name": found("RN"),
   },
-  "02 Attributes": {
+  "03 Attributes": {
+    "Attach Attributes": tag("AA"),
+    "Define Object Attributes": tag("DA"),
+    "Detach Attributes": tag("XA"),
     "Get Rhino Attributes": tag("RA"),
     "Get User Attributes": tag("UA"),
+    "Get User Value": tag("UV"),
+  },
+  "06 Bake": {
+    "Bake Objects": tag("BO"),
   },
 };
 

@@ -1,3 +1,11 @@
+//! What a definition needs, whether it is there, and what would be missing without it.
+
+mod causes;
+mod hanging;
+mod outputs;
+#[cfg(test)]
+mod tests;
+
 use std::collections::BTreeMap;
 
 use katydid_component::{plugin_of_library, registry};
@@ -5,6 +13,8 @@ use katydid_definition::archive::Limits;
 use katydid_definition::document::{ClusterContent, Document, Object, Script, ScriptLanguage, Side};
 use serde::Serialize;
 use uuid::Uuid;
+
+pub use outputs::{MissingOutput, Outputs};
 
 /// What a definition needs, and whether it is there.
 #[derive(Debug, Clone, Serialize, Default)]
@@ -15,6 +25,8 @@ pub struct Check {
     pub unsupported: Vec<Unsupported>,
     /// Whether nothing is missing.
     pub runnable: bool,
+    /// Its outputs, and which of them would be missing.
+    pub outputs: Outputs,
     /// The scripts, which whoever runs scripts has to look at: they are not missing by themselves.
     #[serde(skip)]
     pub scripts: Vec<ScriptObject>,
@@ -34,11 +46,14 @@ pub struct ScriptObject {
 }
 
 impl Check {
-    /// Adds what one of the scripts needs and has not.
+    /// Adds what one of the scripts needs and has not. [`Check::look_at_outputs`] takes it into account.
     pub fn lacks(&mut self, object: &ScriptObject, what: &str) {
         let reason = Some(format!("the script {} needs it", object.title));
         match self.unsupported.iter_mut().find(|own| own.name == what && own.reason.is_some()) {
-            Some(known) => known.count += 1,
+            Some(known) => {
+                known.count += 1;
+                known.objects.push(object.object.id);
+            }
             None => self.unsupported.push(Unsupported {
                 name: what.to_owned(),
                 component: object.component,
@@ -46,9 +61,16 @@ impl Check {
                 known: None,
                 reason,
                 count: 1,
+                objects: vec![object.object.id],
+                outputs: 0,
             }),
         }
         self.runnable = false;
+    }
+
+    /// Looks anew which outputs hang on what is missing, in the document that was checked.
+    pub fn look_at_outputs(&mut self, document: &Document) {
+        self.outputs = Outputs::of(document, &mut self.unsupported);
     }
 }
 
@@ -68,6 +90,10 @@ pub struct Unsupported {
     pub reason: Option<String>,
     /// How many objects are of this type.
     pub count: usize,
+    /// The ids of these objects, in the order of the file; some may lie in clusters.
+    pub objects: Vec<Uuid>,
+    /// How many outputs of the definition would be missing without them.
+    pub outputs: usize,
 }
 
 /// What a file knows of an object of a plug-in.
@@ -106,7 +132,8 @@ pub fn check(document: &Document) -> Check {
     let objects = count(document, &mut found, &mut scripts);
     let mut unsupported: Vec<Unsupported> = found.into_values().collect();
     unsupported.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.name.cmp(&b.name)));
-    Check { objects, runnable: unsupported.is_empty(), unsupported, scripts }
+    let outputs = Outputs::of(document, &mut unsupported);
+    Check { objects, runnable: unsupported.is_empty(), unsupported, outputs, scripts }
 }
 
 fn count(
@@ -153,8 +180,12 @@ fn count(
             known: known(document, object),
             reason,
             count: 0,
+            objects: Vec::new(),
+            outputs: 0,
         };
-        found.entry(key).or_insert_with(missing).count += 1;
+        let kind = found.entry(key).or_insert_with(missing);
+        kind.count += 1;
+        kind.objects.push(object.id);
     }
     objects
 }

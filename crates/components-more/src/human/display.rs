@@ -1,4 +1,4 @@
-//! Human: previews with colours and line weights, and objects of other models.
+//! Previews with colours and line weights, and objects of other models.
 
 use std::sync::Arc;
 

@@ -1,13 +1,12 @@
-//! EleFront: objects of the Rhino model by layer, name and user text, and their attributes.
-//!
-//! Its documentation tells what each does and which attributes there are; names of ports and how filters are written are our
-//! reading. The model is the file given with `--model`.
+//! Objects of the Rhino model by layer, name and user text. How filters are written is our reading.
 
 use std::sync::Arc;
 
 use katydid_component::{Context, List, Message, RhinoModel, component};
 use katydid_data::{Colour, Content, ModelObject, Value};
 
+use super::bake::BAKE_NAME;
+use crate::model_objects::object_of;
 use crate::wildcard::takes;
 
 fn model<'a>(context: &Context<'a>) -> Result<&'a RhinoModel, Message> {
@@ -121,16 +120,22 @@ fn reference_by_key_and_value(
     })
 }
 
-/// The object that an item is, or is the geometry of.
-fn object_of(context: &Context<'_>, value: &Value) -> Option<ModelObject> {
-    let known = context.model().and_then(|model| model.object_of(value)).map(|object| &object.content);
-    match known.unwrap_or(value) {
-        Value::Content(content) => match &**content {
-            Content::Object(object) => Some(object.clone()),
-            _ => None,
-        },
-        _ => None,
-    }
+/// The objects of the Rhino model that were baked under some names. `*` stands for any text, `?` for one character; capitals do not
+/// matter. Stands for EleFront's Reference by BakeName; that the name is the user text `BakeName` is our reading.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd20c",
+    name = "Reference by BakeName",
+    nick = "RefBakeName",
+    at = "EleFront/01 Reference"
+)]
+#[output("Geometry", "G", "The objects.", kind = Content)]
+fn reference_by_bake_name(
+    context: &Context<'_>,
+    /// The names.
+    #[port("BakeName", "N")]
+    names: List<Arc<str>>,
+) -> Result<Vec<Value>, Message> {
+    objects(context, |object| object.text_of(BAKE_NAME).is_some_and(|name| any(&names, name)))
 }
 
 /// The name, layer and colour of an object of the Rhino model; null where geometry is of no object. Stands for EleFront's Get
@@ -139,7 +144,7 @@ fn object_of(context: &Context<'_>, value: &Value) -> Option<ModelObject> {
     "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd205",
     name = "Get Rhino Attributes",
     nick = "GetRhAtt",
-    at = "EleFront/02 Attributes"
+    at = "EleFront/03 Attributes"
 )]
 #[output("Name", "N", "The name.")]
 #[output("Layer", "L", "The path of the layer.")]
@@ -165,7 +170,7 @@ fn rhino_attributes(
     "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd206",
     name = "Get User Attributes",
     nick = "GetUA",
-    at = "EleFront/02 Attributes"
+    at = "EleFront/03 Attributes"
 )]
 #[output("Key", "K", "The keys, in their order.")]
 #[output("Value", "V", "The text under each.")]

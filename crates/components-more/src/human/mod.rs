@@ -1,0 +1,8 @@
+//! Human: previews with colours and line weights, objects of other models, and objects baked with attributes.
+//!
+//! Names and ports are those of public lists, ids as far as files show them.
+
+mod attributes;
+mod bake;
+mod display;
+mod expand;
