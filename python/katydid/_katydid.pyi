@@ -1118,8 +1118,8 @@ class StudyCore:
     def sweep(self, workers: int | None = None, progress: Callable[[_Counts], object] | None = None) -> _Summed:
         """Solves the points of the plan on this machine, as `katydid sweep` does; `progress` is called with counts now and then."""
 
-    def open(self) -> None:
-        """Begins to hand out points."""
+    def open(self, asked: bool = True) -> None:
+        """Begins to hand out points. With `asked` the points of the table count as asked for before, and are held in memory."""
 
     def close(self) -> None:
         """Lets others work on the study."""

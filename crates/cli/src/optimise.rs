@@ -128,6 +128,7 @@ pub(crate) fn optimise(args: &OptimiseArgs) -> Result<u8, String> {
             retry: false,
             identity: identity(&args.definition)?,
             definition: definition_file(&args.definition),
+            grace: None,
             cancel: Cancel::default(),
         },
     };

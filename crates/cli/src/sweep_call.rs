@@ -89,6 +89,7 @@ impl SweepCall {
             retry: args.retry,
             identity: identity(&args.definition)?,
             definition: definition_file(&args.definition),
+            grace: None,
             cancel: Cancel::default(),
         };
         let files = CallFiles {

@@ -26,6 +26,8 @@ use crate::to_script::Inward;
 
 /// How long a script has after it was interrupted, before its process is ended.
 const GRACE: Duration = Duration::from_secs(2);
+/// How many processes were started: an object that one holds is not taken for another's.
+static STARTED: AtomicU64 = AtomicU64::new(0);
 /// How often one looks whether a script may go on.
 const LOOK: Duration = Duration::from_millis(20);
 
@@ -69,7 +71,7 @@ impl Python {
             let (jobs, waiting) = channel();
             let (interpreter, bounds) = (self.interpreter.clone(), self.bounds.clone());
             let losses = self.losses.clone();
-            let conductor = Conductor { interpreter, bounds, losses, started: 0, running: None };
+            let conductor = Conductor { interpreter, bounds, losses, running: None };
             thread::spawn(move || conductor.conduct(&waiting));
             Mutex::new(jobs)
         })
@@ -103,6 +105,11 @@ impl Scripts for Python {
         self.losses.load(Ordering::Acquire)
     }
 
+    fn another(&self) -> Option<Arc<dyn Scripts>> {
+        let another = Self::new(self.interpreter.clone(), self.bounds.clone());
+        Some(Arc::new(another.of(self.definition.clone())))
+    }
+
     fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
         let prepared = Prepared::of(task, self.definition.as_deref());
         task.budget.fits(prepared.iterations()).map_err(Unrun::Failed)?;
@@ -129,8 +136,6 @@ struct Conductor {
     interpreter: Result<Interpreter, String>,
     bounds: Bounds,
     losses: Arc<AtomicU64>,
-    /// How many processes were started.
-    started: u64,
     running: Option<Running>,
 }
 
@@ -151,8 +156,7 @@ impl Conductor {
         if self.running.is_none() {
             let interpreter = self.interpreter.as_ref().map_err(|why| Unrun::Unsupported(why.clone()))?;
             let process = Process::start(interpreter, &self.bounds).map_err(Unrun::Unsupported)?;
-            self.started += 1;
-            let keepers = Keepers::new(self.started);
+            let keepers = Keepers::new(STARTED.fetch_add(1, Ordering::Relaxed) + 1);
             self.running = Some(Running { process, host: crate::host(job.prepared.rules), keepers });
         }
         self.running.as_mut().ok_or_else(|| Unrun::Unsupported("there is no process".into()))

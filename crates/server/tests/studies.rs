@@ -28,11 +28,15 @@ impl Ready {
 
     fn target(&self, name: &str, item: Option<(&str, u32)>) -> Target {
         let output = self.client.objects[&self.client.named(name)].outputs[0].id;
-        Target { output, item: item.map(|(path, index)| ItemPlace { path: path.to_owned(), index }) }
+        Target {
+            within: Vec::new(),
+            output,
+            item: item.map(|(path, index)| ItemPlace { path: path.to_owned(), index }),
+        }
     }
 
     fn input(&self, name: &str) -> InputPlace {
-        InputPlace { object: self.client.named(name), gene: None }
+        InputPlace { within: Vec::new(), object: self.client.named(name), gene: None }
     }
 
     fn value(&self, name: &str) -> f64 {
@@ -165,12 +169,50 @@ async fn places_move_as_the_slider_moves_them() {
     }
 }
 
+/// A slider inside a cluster, and one outside.
+const NESTED: &str = r#"katydid 1
+a = Number Slider(3.00, 0.00..5.00)
+Box = Cluster(a) -> y inside {
+    k = Cluster Input()
+    x = Number Slider(0.70, 0.00..2.00)
+    f = Expression("k*x^2", k = k, x = x)
+    y = Cluster Output(f)
+}
+volume = Expression("y + 1", y = Box)
+"#;
+
+#[tokio::test(flavor = "multi_thread")]
+async fn inputs_inside_clusters_are_looked_at_and_moved() {
+    let studio = Studio::start().await;
+    let client = studio.with(NESTED).await;
+    let mut ready = Ready { studio, client };
+    let effects = ready.effects(false).await;
+    let here: Vec<(&str, usize)> =
+        effects.here.iter().map(|here| (here.name.as_str(), here.input.within.len())).collect();
+    assert_eq!(here, [("a", 0), ("Box/x", 1)]);
+    let SlopeView::Even { by } = effects.here[1].slope else { panic!("{:?}", effects.here[1]) };
+    assert!((by.value - 4.2).abs() < 4.2e-6, "{by:?}");
+    let input = effects.here[1].input.clone();
+    assert_eq!(input.within, [ready.client.named("Box")]);
+    let target = ready.target("volume", None);
+    let solved = ready.solve_for(target.clone(), &[3.0 * 1.44 + 1.0], Some(vec![input.clone()]), 1).await;
+    assert!(solved.unwrap().off < 1e-9);
+    let inner = match ready.client.ask(Ask::Effects { target, with: Some(vec![input]), ranges: false }).await
+    {
+        Event::Effects { effects, .. } => effects,
+        other => panic!("{other:?}"),
+    };
+    assert!((inner.value - 5.32).abs() < 1e-9 && (inner.here[0].at - 1.2).abs() < 1e-12, "{inner:?}");
+    assert!(is_done(&ready.client.ask(Ask::Undo).await));
+    assert!((ready.effects(false).await.value - 2.47).abs() < 1e-9, "one step of undo");
+}
+
 #[tokio::test(flavor = "multi_thread")]
 async fn what_cannot_be_asked_is_refused_by_name() {
     let mut ready = Ready::start().await;
     let volume = ready.target("volume", None);
     let several = ready.target("p", None);
-    let nothing = Target { output: uuid::Uuid::from_u128(7), item: None };
+    let nothing = Target { within: Vec::new(), output: uuid::Uuid::from_u128(7), item: None };
     let far = ready.target("p", Some(("{0;0}", 99)));
     let odd = ready.target("p", Some(("{x", 0)));
     for (target, numbers, why) in [
@@ -184,7 +226,7 @@ async fn what_cannot_be_asked_is_refused_by_name() {
         assert!(refused.contains(why), "{refused} for {why}");
     }
     let whole = ready.input("n");
-    let refused = ready.solve_for(volume, &[50.0], Some(vec![whole]), 1).await.unwrap_err();
+    let refused = ready.solve_for(volume, &[50.0], Some(vec![whole.clone()]), 1).await.unwrap_err();
     assert!(refused.contains("'n' takes whole numbers"), "{refused}");
     let refused = refusal(&ready.client.ask(Ask::Motion { input: whole }).await).to_owned();
     assert!(refused.contains("'n' takes whole numbers"), "{refused}");

@@ -46,7 +46,7 @@ pub use bake::{BakeOptions, Baked, bake};
 pub use catalogue::Registry;
 pub use change::{Change, Refusal};
 pub use check::{Check, KnownOfPlugin, MissingOutput, Outputs, ScriptObject, Unsupported, check};
-pub use editor::{About, Editor, NoResults, Results};
+pub use editor::{About, Editor, NoResults, Results, content as cluster_content, edit_inside};
 pub use edits::new_object;
 pub use explain::{explain, explainable, nurbs_of};
 pub use input::{InputError, assign as assign_input, find as find_input, inputs, nearest};

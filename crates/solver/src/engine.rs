@@ -12,7 +12,7 @@ use crate::graph::{Graph, Source};
 use crate::object::{Turn, solve};
 use crate::report::{ObjectReport, Status};
 use crate::schedule::Todo;
-use crate::{Finished, Options, Progress, rounds, schedule, script};
+use crate::{Finished, Options, Progress, Scripts, rounds, schedule, script};
 
 /// A document with its solution: solves what is dirty, and keeps the rest.
 ///
@@ -98,6 +98,17 @@ impl Engine {
         }
     }
 
+    /// Has scripts run by somebody else from now on. What objects hold in the process that ran them until now is made again by
+    /// the next solve.
+    pub fn run_scripts_by(&mut self, scripts: Arc<dyn Scripts>) {
+        if self.options.scripts.as_ref().is_some_and(|known| Arc::ptr_eq(known, &scripts)) {
+            return;
+        }
+        self.losses = scripts.losses();
+        self.options.scripts = Some(scripts);
+        self.expire_where(script::has_held);
+    }
+
     /// Marks an object and all that hangs on it as dirty.
     pub(crate) fn touch(&mut self, index: usize) {
         let mut stack = vec![index];
@@ -148,11 +159,16 @@ impl Engine {
         if losses == std::mem::replace(&mut self.losses, losses) {
             return false;
         }
-        let is_lost = |report: &Option<ObjectReport>| report.as_ref().is_some_and(script::has_lost);
-        let lost: Vec<usize> =
-            (0..self.reports.len()).filter(|at| self.reports.get(*at).is_some_and(is_lost)).collect();
-        lost.iter().for_each(|at| self.touch(*at));
-        !lost.is_empty()
+        self.expire_where(script::has_lost)
+    }
+
+    /// Expires the objects with such reports; tells whether there were any.
+    fn expire_where(&mut self, is_meant: impl Fn(&ObjectReport) -> bool) -> bool {
+        let is_meant = |report: &Option<ObjectReport>| report.as_ref().is_some_and(&is_meant);
+        let meant: Vec<usize> =
+            (0..self.reports.len()).filter(|at| self.reports.get(*at).is_some_and(is_meant)).collect();
+        meant.iter().for_each(|at| self.touch(*at));
+        !meant.is_empty()
     }
 
     fn solve_dirty(&mut self) -> Summary {

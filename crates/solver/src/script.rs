@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use katydid_component::{Budget, Cancel, Limits, Message};
 use katydid_data::cast::Rules;
-use katydid_data::{Column, Kind, Path, Tree, Value};
+use katydid_data::{Column, Keeper, Kind, Path, Tree, Value};
 use katydid_definition::document::{Object, Port, Script, ScriptLanguage};
 
 use crate::collect;
@@ -25,6 +25,12 @@ pub trait Scripts: fmt::Debug + Send + Sync {
     /// How many processes have ended before their time: what they held is lost then, and what made it is solved again.
     fn losses(&self) -> u64 {
         0
+    }
+
+    /// What runs the scripts of a copy of the document beside this one, so that a script that takes long holds up no script
+    /// of another copy; `None` where one runs all of them at once.
+    fn another(&self) -> Option<Arc<dyn Scripts>> {
+        None
     }
 
     /// Runs a script for all of its data: the data of the outputs, in their order.
@@ -154,16 +160,25 @@ fn unsupported(object: &Object, messages: Vec<Message>) -> ObjectReport {
 
 /// Whether a report has objects in it that went with the process that held them.
 pub(crate) fn has_lost(report: &ObjectReport) -> bool {
-    let is_lost = |item: Option<Value>| match item {
+    has_token(report, |keeper| keeper.is_lost())
+}
+
+/// Whether a report has objects in it that a process holds: it numbers them from 1.
+pub(crate) fn has_held(report: &ObjectReport) -> bool {
+    has_token(report, |keeper| keeper.number() > 0)
+}
+
+fn has_token(report: &ObjectReport, is_meant: impl Fn(&dyn Keeper) -> bool) -> bool {
+    let is_one = |item: Option<Value>| match item {
         Some(Value::Content(content)) => {
-            matches!(&*content, katydid_data::Content::Token(token) if token.0.is_lost())
+            matches!(&*content, katydid_data::Content::Token(token) if is_meant(&*token.0))
         }
         _ => false,
     };
     // Other columns hold numbers, points and the like alone.
     let columns = report.outputs.iter().map(Tree::column);
     let mut columns = columns.filter(|column| matches!(column.kind(), Kind::Content | Kind::Generic));
-    columns.any(|column| column.iter().any(is_lost))
+    columns.any(|column| column.iter().any(is_one))
 }
 
 /// Whether an input brings the text of the script: the first, by its name, where the text comes over a wire.

@@ -7,13 +7,14 @@ use std::time::{Duration, Instant};
 use katydid_component::Cancel;
 
 use crate::folder::Log;
+use crate::pool::Pool;
 use crate::record::{Kept, Name, decode, record};
 use crate::store::Store;
 use crate::sweep::{Names, open_store};
 use crate::thresholds::LEAST_HAND_OUT;
 use crate::{
     About, Cell, DefinitionFile, Outcome, Plan, PlanPoints, Prepared, Progress, Settings, Status, StudyError,
-    Summary, Thing, Things, plan, pool, table,
+    Summary, Thing, Things, plan, table,
 };
 
 /// Hands out the points of a study that are not solved, takes their results, and writes the tables.
@@ -93,7 +94,7 @@ impl Dispatcher {
             let (number, point) = (self.looked_at, point?);
             self.looked_at += 1;
             let name = self.names.name(&point);
-            if self.store.take(&name) {
+            if self.store.take(&name)? {
                 self.handed.insert(name, (number, point.clone()));
                 found.push(point);
                 continue;
@@ -145,7 +146,7 @@ impl Dispatcher {
     }
 
     fn keep_one(&mut self, kept: &Kept) -> Result<bool, StudyError> {
-        if self.store.has(&kept.name) {
+        if self.store.has(&kept.name)? {
             return Ok(false);
         }
         if !self.store.is_awaited(&kept.name) || kept.outcome.cells.len() != self.plan.outputs().len() {
@@ -168,7 +169,7 @@ impl Dispatcher {
     /// A point is not solved, or a file cannot be read or written.
     pub fn finish(&mut self) -> Result<Summary, StudyError> {
         let summary = self.write(&self.plan.clone())?;
-        self.log.take().map_or(Ok(()), Log::finish)?;
+        self.log.take().map_or(Ok(()), |log| log.finish())?;
         Ok(summary)
     }
 
@@ -205,7 +206,7 @@ impl Dispatcher {
         for point in plan::rows_of(&table, &names).unwrap_or_default() {
             let point = self.fitted(point);
             let name = self.names.name(&point);
-            if self.store.has(&name) && self.known.insert(name) {
+            if self.store.has(&name)? && self.known.insert(name) {
                 self.asked.push(point);
             }
         }
@@ -218,7 +219,10 @@ impl Dispatcher {
     }
 
     /// Asks for points, as [`fitted`](Self::fitted) gives them; gives those that are to be solved.
-    pub fn ask(&mut self, points: &[Vec<Cell>]) -> Vec<Vec<Cell>> {
+    ///
+    /// # Errors
+    /// A file of the study cannot be read or written.
+    pub fn ask(&mut self, points: &[Vec<Cell>]) -> Result<Vec<Vec<Cell>>, StudyError> {
         let mut wanted = Vec::new();
         let mut in_batch = HashSet::new();
         for point in points {
@@ -226,15 +230,15 @@ impl Dispatcher {
             if self.known.insert(name) {
                 self.asked.push(point.clone());
             }
-            if self.store.has(&name) {
+            if self.store.has(&name)? {
                 self.progress.had += 1;
             } else if in_batch.insert(name) {
                 // What was handed out before and did not come back is handed out again.
-                self.store.take(&name);
+                self.store.take(&name)?;
                 wanted.push(point.clone());
             }
         }
-        wanted
+        Ok(wanted)
     }
 
     /// The different points that were asked for, in that order.
@@ -257,18 +261,18 @@ impl Dispatcher {
         // A thread for each few points: more would take longer to start than to solve them.
         let workers = workers.min(points.len().div_ceil(LEAST_HAND_OUT)).max(1);
         let names = Names::of(&self.plan);
-        let tasks = points
-            .into_iter()
-            .map(|point| if cancel.is_cancelled() { Err(StudyError::Stopped) } else { Ok(point) });
+        let asked = cancel.clone();
+        let tasks = points.into_iter().map(move |point| {
+            if asked.is_cancelled() { Err(StudyError::Stopped) } else { Ok((names.name(&point), point)) }
+        });
         let folder = self.folder.clone();
-        let swept = pool::each(
-            prepared,
-            workers,
+        let swept = Pool::new(prepared.clone(), workers, None).each(
             tasks,
-            |worker, point| {
-                let (kept, made) = crate::solver::solved(worker, &things, names.name(&point), &point);
+            move |worker, (name, point): (Name, Vec<Cell>)| {
+                let (kept, made) = crate::solver::solved(worker, &things, name, &point);
                 made.iter().flatten().try_for_each(|thing| thing.write(&folder)).map(|()| kept)
             },
+            |(name, _), outcome| Ok(Kept { name, outcome, files: Default::default() }),
             |kept: Result<Kept, StudyError>| {
                 if cancel.is_cancelled() {
                     return Err(StudyError::Stopped);

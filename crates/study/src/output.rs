@@ -3,16 +3,18 @@
 use katydid_component::Message;
 use katydid_data::{Path, Tree};
 use katydid_definition::document::{Document, Lookup, Object, Special, ids};
-use katydid_solver::{Engine, Inputs};
+use katydid_solver::{Engine, Inputs, ObjectReport};
 use uuid::Uuid;
 
-use crate::{Cell, StudyError};
+use crate::{Cell, StudyError, inside};
 
 /// A result that a study keeps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Output {
     /// What it is called in the plan and in tables.
     pub name: String,
+    /// The places of the clusters that it is inside of, the outermost first, each in the document inside the one before.
+    within: Vec<usize>,
     source: Source,
     /// The branch and the place of the only item that is looked at; all where none is named.
     item: Option<(Path, usize)>,
@@ -28,11 +30,19 @@ enum Source {
 
 impl Output {
     /// The output of that name: a label of a group marked `RH_OUT`, a nickname or id of an object, or one of its outputs
-    /// behind a dot, by nickname, name or number: `Area.0`. A panel gives what comes over its wire, with all digits.
+    /// behind a dot, by nickname, name or number: `Area.0`. A panel gives what comes over its wire, with all digits. What is
+    /// inside a cluster has the cluster's name or id and a slash before its own: `Tower/Area`.
     ///
     /// # Errors
     /// Nothing has that name, several objects have, or the object has several outputs and none is named.
     pub fn find(document: &Document, name: &str) -> Result<Self, StudyError> {
+        Self::find_outside(document, name).or_else(|error| {
+            let (cluster, inner, rest) = inside::entered(document, name)?.ok_or(error)?;
+            Self::find(&inner, rest)?.inside(cluster, name.to_owned())
+        })
+    }
+
+    fn find_outside(document: &Document, name: &str) -> Result<Self, StudyError> {
         let lookup = document.lookup();
         let marked = marked_in(document, &lookup);
         if let Some(output) = marked.into_iter().find(|output| output.name == name) {
@@ -47,7 +57,7 @@ impl Output {
                 source(document, &lookup, object, Some(port), name)?
             }
         };
-        Ok(Self { name: name.to_owned(), source, item: None })
+        Ok(Self { name: name.to_owned(), within: Vec::new(), source, item: None })
     }
 
     /// The output of an object or port with that id; `None` where nothing has it. A panel, or an object without outputs, gives
@@ -63,7 +73,34 @@ impl Output {
         };
         let title = document.objects.get(object)?.title();
         let name = if title.is_empty() { "fitness" } else { title };
-        Some(Self { name: name.to_owned(), source, item: None })
+        Some(Self { name: name.to_owned(), within: Vec::new(), source, item: None })
+    }
+
+    /// The output of an object or port with that id inside clusters of these ids, the outermost first.
+    ///
+    /// # Errors
+    /// Nothing has the id there, a cluster cannot be opened, or the object joins several wires inside one.
+    pub fn of_ids(document: &Document, within: &[Uuid], id: Uuid) -> Result<Self, StudyError> {
+        let missing = || StudyError::Output("there is no such output".to_owned());
+        let Some((cluster, deeper)) = within.split_first() else {
+            return Self::of_id(document, id).ok_or_else(missing);
+        };
+        let place = document.objects.iter().position(|object| object.id == *cluster).ok_or_else(missing)?;
+        let cluster = document.objects.get(place).ok_or_else(missing)?;
+        let found = Self::of_ids(&inside::content(cluster)?, deeper, id)?;
+        let name = format!("{}/{}", cluster.title(), found.name);
+        found.inside(place, name)
+    }
+
+    /// One of a document inside a cluster, as an output of the document that the cluster stands in.
+    fn inside(self, cluster: usize, name: String) -> Result<Self, StudyError> {
+        if matches!(self.source, Source::Taken { .. }) {
+            return Err(StudyError::Output(format!(
+                "'{name}' joins several wires inside a cluster, which is not supported: name what gives its data"
+            )));
+        }
+        let within = std::iter::once(cluster).chain(self.within).collect();
+        Ok(Self { name, within, ..self })
     }
 
     /// Only one item of it: by its branch and its place there, from 0. It gives nothing where there is none.
@@ -72,11 +109,10 @@ impl Output {
         Self { item: Some((branch, place)), ..self }
     }
 
-    /// The object that gives it.
-    pub(crate) fn object(&self) -> usize {
-        match self.source {
-            Source::Given { object, .. } | Source::Taken { object } => object,
-        }
+    /// The places that lead to the object that gives it: of clusters on the way in, and its own at the end.
+    pub(crate) fn path(&self) -> impl Iterator<Item = usize> {
+        let (Source::Given { object, .. } | Source::Taken { object }) = self.source;
+        self.within.iter().copied().chain(std::iter::once(object))
     }
 
     /// Its data in a solved engine.
@@ -89,21 +125,27 @@ impl Output {
 
     fn whole(&self, engine: &Engine) -> Tree {
         match self.source {
-            Source::Given { object, output } => engine
-                .report(object)
-                .and_then(|report| report.outputs.get(output))
-                .cloned()
-                .unwrap_or_default(),
+            Source::Given { .. } => self.given(engine).cloned().unwrap_or_default(),
             Source::Taken { object } => Inputs::new(engine).of(object).into_iter().next().unwrap_or_default(),
         }
+    }
+
+    /// What its object gives.
+    fn given<'a>(&self, engine: &'a Engine) -> Option<&'a Tree> {
+        let Source::Given { output, .. } = self.source else { return None };
+        self.report(engine)?.outputs.get(output)
+    }
+
+    /// The report of the object that gives it.
+    fn report<'a>(&self, engine: &'a Engine) -> Option<&'a ObjectReport> {
+        inside::report_at(engine, &self.path().collect::<Vec<_>>())
     }
 
     /// The same as a cell of a table.
     pub fn cell(&self, engine: &Engine) -> Cell {
         match self.source {
-            Source::Given { object, output } if self.item.is_none() => {
-                let tree = engine.report(object).and_then(|report| report.outputs.get(output));
-                tree.map_or(Cell::Null, Cell::of_tree)
+            Source::Given { .. } if self.item.is_none() => {
+                self.given(engine).map_or(Cell::Null, Cell::of_tree)
             }
             _ => Cell::of_tree(&self.tree(engine)),
         }
@@ -111,7 +153,7 @@ impl Output {
 
     /// What the object that gives it says first.
     pub(crate) fn message<'a>(&self, engine: &'a Engine) -> Option<&'a Message> {
-        engine.report(self.object())?.messages.first()
+        self.report(engine)?.messages.first()
     }
 }
 
@@ -127,6 +169,7 @@ pub fn marked(document: &Document) -> Vec<Output> {
         found = panels
             .map(|(object, panel)| Output {
                 name: panel.title().to_owned(),
+                within: Vec::new(),
                 source: behind(document, &lookup, object),
                 item: None,
             })
@@ -143,13 +186,15 @@ fn marked_in(document: &Document, lookup: &Lookup) -> Vec<Output> {
                 let first = group.members.iter().find_map(|id| lookup.object(*id));
                 found.extend(first.map(|member| Output {
                     name: group.marked_name().to_owned(),
+                    within: Vec::new(),
                     source: behind(document, lookup, member),
                     item: None,
                 }));
             }
             _ if object.component == ids::CONTEXT_PRINT => {
                 let name = object.inputs.first().map_or("", |port| &port.nickname).to_owned();
-                found.push(Output { name, source: behind(document, lookup, index), item: None });
+                let source = behind(document, lookup, index);
+                found.push(Output { name, within: Vec::new(), source, item: None });
             }
             _ => {}
         }

@@ -1,11 +1,13 @@
 //! A definition made ready to be solved at many points.
 
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use katydid_component::{Cancel, Level};
 use katydid_definition::document::Document;
-use katydid_solver::{self as solver, Engine, Options};
+use katydid_solver::{self as solver, Engine, Options, Scripts};
 
+use crate::pool::locked;
 use crate::{Cell, Output, Variable};
 
 /// How a point came out.
@@ -98,14 +100,15 @@ pub struct Prepared {
     engine: Engine,
     variables: Vec<Variable>,
     outputs: Vec<Output>,
+    /// What runs scripts and has no worker now: processes that are started once, not once for each worker.
+    idle: Arc<Mutex<Vec<Arc<dyn Scripts>>>>,
 }
 
 impl Prepared {
     /// Prepares a definition. The time and memory of the options are those of each point.
     pub fn new(document: Document, options: Options, variables: Vec<Variable>, outputs: Vec<Output>) -> Self {
-        let mut engine = Engine::new(document, Options { progress: None, finished: None, ..options });
-        engine.solve();
-        Self { engine, variables, outputs }
+        let options = Options { progress: None, finished: None, ..options };
+        Self::solved(Engine::new(document, options), variables, outputs)
     }
 
     /// Prepares a definition that an engine has solved already, so that nothing is solved twice. The time and memory of the
@@ -118,8 +121,13 @@ impl Prepared {
     ) -> Self {
         let options = engine.options_mut();
         (options.progress, options.finished, options.cancel) = (None, None, cancel);
+        Self::solved(engine, variables, outputs)
+    }
+
+    fn solved(mut engine: Engine, variables: Vec<Variable>, outputs: Vec<Output>) -> Self {
         engine.solve();
-        Self { engine, variables, outputs }
+        let idle = Arc::new(Mutex::new(engine.options().scripts.iter().cloned().collect()));
+        Self { engine, variables, outputs, idle }
     }
 
     /// The variables.
@@ -142,19 +150,42 @@ impl Prepared {
         &self.engine
     }
 
-    /// What solves points: a clone that keeps from one point to the next what did not change.
+    /// What solves points: a clone that keeps from one point to the next what did not change. Its scripts wait for no other
+    /// worker's.
     pub fn worker(&self) -> Worker<'_> {
-        Worker { prepared: self, engine: self.engine.clone(), set: vec![None; self.variables.len()] }
+        let idle = locked(&self.idle).pop();
+        let known = self.engine.options().scripts.as_ref();
+        let scripts = idle.or_else(|| known.and_then(|scripts| scripts.another()));
+        let engine = self.fresh(scripts.as_ref());
+        Worker { prepared: self, engine, scripts, set: vec![None; self.variables.len()] }
+    }
+
+    /// A clone of the engine with its own scripts.
+    fn fresh(&self, scripts: Option<&Arc<dyn Scripts>>) -> Engine {
+        let mut engine = self.engine.clone();
+        if let Some(scripts) = scripts {
+            engine.run_scripts_by(scripts.clone());
+        }
+        engine
     }
 }
 
 /// Solves points of a prepared definition, one after another.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Worker<'a> {
     prepared: &'a Prepared,
     engine: Engine,
+    /// What runs its scripts and no other worker's; `None` where all share one.
+    scripts: Option<Arc<dyn Scripts>>,
     /// What the variables are set to.
     set: Vec<Option<Cell>>,
+}
+
+impl Drop for Worker<'_> {
+    fn drop(&mut self) {
+        let mut idle = locked(&self.prepared.idle);
+        idle.extend(self.scripts.take());
+    }
 }
 
 impl Worker<'_> {
@@ -215,7 +246,7 @@ impl Worker<'_> {
         }
         if matches!(status, Status::Error | Status::Time | Status::Memory) {
             // What was stopped half-way is not kept for the next point.
-            self.engine = self.prepared.engine.clone();
+            self.engine = self.prepared.fresh(self.scripts.as_ref());
             self.set.fill(None);
         }
         Outcome { status, reason: first_line(reason), cells, time }

@@ -1,6 +1,5 @@
 //! A definition solved at numbers to all digits, also such as its sliders would round away.
 
-use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Instant;
 
@@ -8,7 +7,8 @@ use katydid_component::Level;
 use katydid_data::{Tree, Value};
 use katydid_solver::{Engine, Status};
 
-use crate::reach::upstream;
+use crate::inside::report_at;
+use crate::reach::{Reached, reached};
 use crate::{Cell, Output, Prepared, StudyError, Variable};
 
 /// What a definition gave at a point.
@@ -28,7 +28,7 @@ pub(crate) struct Probe {
     variables: Vec<Variable>,
     outputs: Vec<Output>,
     /// The objects that lead to the outputs.
-    watched: Vec<usize>,
+    watched: Vec<Reached>,
     /// What each variable stands at; `None` for what is no number.
     at: Vec<Option<f64>>,
     /// How many solves there were.
@@ -40,11 +40,8 @@ impl Probe {
         let mut start = prepared.engine().clone();
         let variables = prepared.variables().to_vec();
         let outputs = prepared.outputs().to_vec();
-        let document = start.document();
-        let reached: Vec<Vec<bool>> =
-            outputs.iter().map(|output| upstream(document, output.object())).collect();
-        let is_watched = |at: &usize| reached.iter().any(|set| set.get(*at) == Some(&true));
-        let watched = (0..document.objects.len()).filter(is_watched).collect();
+        let paths: Vec<Vec<usize>> = outputs.iter().map(|output| output.path().collect()).collect();
+        let watched = reached(start.document(), &paths);
         let at = variables.iter().map(Variable::stands_at).collect();
         for variable in &variables {
             variable.refine(&mut start);
@@ -83,7 +80,7 @@ impl Probe {
         *slot = Some(x);
         let Self { engine, variables, at, .. } = self;
         if let Some(found) = variables.get(variable) {
-            found.place(engine, x, &genes(variables, at, found.object));
+            found.place(engine, x, &genes(variables, at, found));
         }
     }
 
@@ -98,7 +95,7 @@ impl Probe {
             self.engine = self.start.clone();
             for (variable, x) in self.variables.iter().zip(&self.at) {
                 if let Some(x) = x {
-                    variable.place(&mut self.engine, *x, &genes(&self.variables, &self.at, variable.object));
+                    variable.place(&mut self.engine, *x, &genes(&self.variables, &self.at, variable));
                 }
             }
             return Reading { numbers: None, shape: 0 };
@@ -111,22 +108,23 @@ impl Probe {
         for output in &self.outputs {
             numbers.extend(numbers_of(&output.tree(&self.engine))?);
         }
-        let failed = self
-            .watched
-            .iter()
-            .any(|at| self.engine.report(*at).is_none_or(|report| matches!(report.status, Status::Error)));
+        let failed = self.watched.iter().any(|one| {
+            // A cluster that is switched off has nothing inside.
+            report_at(&self.engine, &one.path)
+                .map_or(one.path.len() == 1, |report| matches!(report.status, Status::Error))
+        });
         (!failed && numbers.iter().all(|x| x.is_finite())).then_some(numbers)
     }
 
     fn shape(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
-        self.watched.iter().for_each(|at| self.shape_of(*at).hash(&mut hasher));
+        self.watched.iter().for_each(|one| self.shape_of(one).hash(&mut hasher));
         hasher.finish()
     }
 
-    fn shape_of(&self, object: usize) -> u64 {
+    fn shape_of(&self, one: &Reached) -> u64 {
         let mut hasher = DefaultHasher::new();
-        let outputs = self.engine.report(object).map_or(&[][..], |report| &report.outputs);
+        let outputs = report_at(&self.engine, &one.path).map_or(&[][..], |report| &report.outputs);
         outputs.iter().for_each(|tree| count(tree, &mut hasher));
         hasher.finish()
     }
@@ -134,33 +132,26 @@ impl Probe {
     /// The first object whose results have other counts at `b` than at `a`, or that fails there, in the order of the document.
     pub(crate) fn what_changes(&mut self, variable: usize, a: f64, b: f64) -> Option<String> {
         self.read(variable, a);
-        let before: HashMap<usize, u64> = self.watched.iter().map(|at| (*at, self.shape_of(*at))).collect();
+        let before: Vec<u64> = self.watched.iter().map(|one| self.shape_of(one)).collect();
         self.read(variable, b);
-        let mut failed = None;
-        for &at in &self.watched {
-            let object = self.engine.document().objects.get(at)?;
-            let report = self.engine.report(at);
-            let says = report
-                .filter(|report| report.status == Status::Error)
-                .and_then(|report| report.messages.iter().find(|message| message.level == Level::Error));
-            if let Some(message) = says {
-                failed = Some(format!("'{}': {}", object.title(), first_line(&message.text)));
-                break;
-            }
-        }
         // What only hands an error's lack of data on is not its cause.
-        if failed.is_some() {
-            return failed;
-        }
-        let changed = self.watched.iter().find(|at| before.get(at) != Some(&self.shape_of(**at)))?;
-        let object = self.engine.document().objects.get(*changed)?;
-        Some(format!("'{}' gives another count", object.title()))
+        let failed = self.watched.iter().find_map(|one| {
+            let report =
+                report_at(&self.engine, &one.path).filter(|report| report.status == Status::Error)?;
+            let message = report.messages.iter().find(|message| message.level == Level::Error)?;
+            Some(format!("'{}': {}", one.name, first_line(&message.text)))
+        });
+        failed.or_else(|| {
+            let mut both = self.watched.iter().zip(&before);
+            let (changed, _) = both.find(|(one, before)| **before != self.shape_of(one))?;
+            Some(format!("'{}' gives another count", changed.name))
+        })
     }
 }
 
 /// The numbers of all genes of a pool that are variables: a pool is given as a whole.
-fn genes(variables: &[Variable], at: &[Option<f64>], object: usize) -> Vec<(usize, f64)> {
-    let of_pool = variables.iter().zip(at).filter(|(variable, _)| variable.object == object);
+fn genes(variables: &[Variable], at: &[Option<f64>], one: &Variable) -> Vec<(usize, f64)> {
+    let of_pool = variables.iter().zip(at).filter(|(variable, _)| variable.is_beside(one));
     of_pool.filter_map(|(variable, x)| Some((variable.gene()?, (*x)?))).collect()
 }
 

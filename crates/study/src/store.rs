@@ -1,14 +1,15 @@
 //! Outcomes on the disk, by the content of their points: what is there is not solved again.
 //!
 //! A file of records that only grows. Each record has its length and a checksum before it, so that what a crash or a full disk
-//! cut off is told from what is whole, and is cut away when the file is opened again.
+//! cut off is told from what is whole, and is cut away when the file is opened again. Where each record is, [`Places`] know.
 
-use std::collections::HashMap;
+use std::collections::HashSet;
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use crate::places::Places;
 use crate::record::{Kept, Name, decode, framed, record};
 use crate::thresholds::SYNC_EVERY;
 use crate::{Status, StudyError};
@@ -23,8 +24,9 @@ const HEADER: u64 = 24;
 pub(crate) struct Store {
     path: PathBuf,
     file: File,
-    /// From the first half of a name to the place of its record, or 0 while it is being solved.
-    places: HashMap<u64, u64>,
+    places: Places,
+    /// The points that are being solved.
+    awaited: HashSet<Name>,
     /// Where whole records end.
     end: u64,
     synced: Instant,
@@ -66,10 +68,12 @@ impl Store {
                 return Err(StudyError::file(path, "it is no store of this study"));
             }
         }
+        let folder = path.parent().unwrap_or(Path::new("."));
         let mut store = Self {
             path: path.to_path_buf(),
             file,
-            places: HashMap::new(),
+            places: Places::new(folder).map_err(failed)?,
+            awaited: HashSet::new(),
             end: HEADER,
             synced: Instant::now(),
         };
@@ -85,9 +89,9 @@ impl Store {
         while record(&mut reader, length.saturating_sub(self.end), &mut bytes)? {
             if let Some(kept) = decode(&bytes) {
                 if forget(kept.outcome.status) {
-                    self.places.remove(&half(&kept.name));
+                    self.places.forget(&kept.name)?;
                 } else {
-                    self.places.insert(half(&kept.name), self.end);
+                    self.places.set(&kept.name, self.end)?;
                 }
             }
             self.end += 8 + bytes.len() as u64;
@@ -98,24 +102,36 @@ impl Store {
     }
 
     /// Takes a point to be solved; `false` when it was solved or is being solved.
-    pub(crate) fn take(&mut self, name: &Name) -> bool {
-        let place = self.places.entry(half(name));
-        let is_new = matches!(place, std::collections::hash_map::Entry::Vacant(_));
-        place.or_insert(0);
-        is_new
+    ///
+    /// # Errors
+    /// The table of places cannot be read.
+    pub(crate) fn take(&mut self, name: &Name) -> Result<bool, StudyError> {
+        Ok(!self.has(name)? && self.awaited.insert(*name))
     }
 
     /// Whether a point was handed out and has no outcome yet.
     pub(crate) fn is_awaited(&self, name: &Name) -> bool {
-        self.places.get(&half(name)) == Some(&0)
+        self.awaited.contains(name)
     }
 
     /// Whether there is an outcome of a point.
-    pub(crate) fn has(&self, name: &Name) -> bool {
-        self.places.get(&half(name)).is_some_and(|place| *place > 0)
+    ///
+    /// # Errors
+    /// The table of places cannot be read.
+    pub(crate) fn has(&mut self, name: &Name) -> Result<bool, StudyError> {
+        self.place(name).map(|place| place.is_some())
     }
 
-    /// Keeps an outcome. After an error nothing of it is in the file.
+    fn place(&mut self, name: &Name) -> Result<Option<u64>, StudyError> {
+        self.places.get(name).map_err(|error| StudyError::file(&self.path, error))
+    }
+
+    /// A file that could not be written.
+    fn goes_on(&self, error: &io::Error) -> StudyError {
+        StudyError::file(&self.path, format!("{error}: what is solved is kept, and the same command goes on"))
+    }
+
+    /// Keeps an outcome. After an error all of it is in the file or nothing.
     ///
     /// # Errors
     /// It cannot be written.
@@ -127,13 +143,12 @@ impl Store {
                 .file
                 .set_len(self.end)
                 .and_then(|()| self.file.seek(SeekFrom::Start(self.end)).map(drop));
-            return Err(StudyError::file(
-                &self.path,
-                format!("{error}: what is solved is kept, and the same command goes on"),
-            ));
+            return Err(self.goes_on(&error));
         }
-        self.places.insert(half(&kept.name), self.end);
+        let place = self.end;
         self.end += bytes.len() as u64;
+        self.places.set(&kept.name, place).map_err(|error| self.goes_on(&error))?;
+        self.awaited.remove(&kept.name);
         Ok(())
     }
 
@@ -161,9 +176,7 @@ impl Store {
     /// # Errors
     /// It cannot be read.
     pub(crate) fn get(&mut self, name: &Name) -> Result<Option<Kept>, StudyError> {
-        let Some(place) = self.places.get(&half(name)).copied().filter(|place| *place > 0) else {
-            return Ok(None);
-        };
+        let Some(place) = self.place(name)? else { return Ok(None) };
         let mut bytes = Vec::new();
         let left = self.end.saturating_sub(place);
         let file = &mut self.file;
@@ -177,12 +190,6 @@ impl Store {
             _ => Err(StudyError::file(&self.path, format!("the record at byte {place} is damaged"))),
         }
     }
-}
-
-/// The key of the table of places: with a million points, two have the same with a chance of 3 in 100 million, which
-/// [`Store::get`] notices.
-fn half(name: &Name) -> u64 {
-    name.first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes))
 }
 
 #[cfg(test)]
@@ -209,7 +216,7 @@ mod tests {
         let path = folder.path().join("a");
         let open = || Store::open(&path, &[9; 16], |_| false);
         let mut store = open().unwrap();
-        assert!(store.take(&[1; 16]) && !store.take(&[1; 16]));
+        assert!(store.take(&[1; 16]).unwrap() && !store.take(&[1; 16]).unwrap());
         for n in 1..=3 {
             store.keep(&kept(n, f64::from(n))).unwrap();
             assert_eq!(store.get(&[1; 16]).unwrap(), Some(kept(1, 1.0)), "read in between");
@@ -231,7 +238,7 @@ mod tests {
         }
         assert!(Store::open(&path, &[8; 16], |_| false).is_err());
         let mut again = Store::open(&path, &[9; 16], |status| status == Status::Warning).unwrap();
-        assert!(again.take(&[4; 16]));
+        assert!(again.take(&[4; 16]).unwrap());
     }
 
     #[test]

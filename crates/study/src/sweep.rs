@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use katydid_component::Cancel;
@@ -11,10 +11,11 @@ use katydid_definition::document::Document;
 use katydid_solver::Options;
 
 use crate::folder::Log;
+use crate::pool::{Pool, locked};
 use crate::record::{Kept, Name, name_of};
 use crate::solver::{options_of, solved};
 use crate::store::Store;
-use crate::{About, Cell, DefinitionFile, Plan, Prepared, Status, StudyError, Things, pool, table};
+use crate::{About, Cell, DefinitionFile, Plan, Prepared, Status, StudyError, Things, table};
 
 /// How a sweep is made.
 #[derive(Debug, Clone, Default)]
@@ -28,6 +29,9 @@ pub struct Settings {
     pub identity: Vec<u8>,
     /// The file of the definition, for whoever looks at the study later.
     pub definition: Option<DefinitionFile>,
+    /// How long an answer is waited for beyond one and a half of a point's time limit, before the point is lost; half a minute
+    /// when not given.
+    pub grace: Option<Duration>,
     /// Stops the sweep from outside.
     pub cancel: Cancel,
 }
@@ -75,52 +79,43 @@ pub fn sweep(
     mut tell: impl FnMut(&Progress),
 ) -> Result<Summary, StudyError> {
     let start = Instant::now();
-    let store = open_store(plan, folder, settings)?;
+    let store = Arc::new(Mutex::new(open_store(plan, folder, settings)?));
     let about = About::new(settings.definition.as_ref(), plan.variables(), plan.outputs(), plan.count());
-    let log = Mutex::new(Log::begin(folder, &about)?);
+    let log = Arc::new(Mutex::new(Log::begin(folder, &about)?));
     let things = Things::new(plan.pictures, plan.geometry.as_deref())?;
     things.make_folders(folder)?;
     let options = options_of(plan, options, &settings.cancel);
     let prepared = Prepared::new(document, options, plan.variables().to_vec(), plan.outputs().to_vec());
 
-    let had = AtomicU64::new(0);
+    let had = Arc::new(AtomicU64::new(0));
     let mut progress = Progress { points: plan.count(), ..Progress::default() };
-    let store = Mutex::new(store);
-    let names = Names::of(plan);
-    let cancelled = || settings.cancel.is_cancelled();
-    let tasks = (0..).zip(plan.points()?).filter_map(|(number, point)| {
-        let point = match point {
-            _ if cancelled() => return Some(Err(StudyError::Stopped)),
-            Ok(point) => point,
-            Err(error) => return Some(Err(error)),
-        };
-        let name = names.name(&point);
-        let mut store = store.lock().unwrap_or_else(PoisonError::into_inner);
-        if store.take(&name) {
-            return Some(Ok((number, name, point)));
-        }
-        had.fetch_add(1, Ordering::Relaxed);
-        // One that is being solved under another number has no results yet.
-        let kept = store.get(&name).transpose()?;
-        let told = |kept: Kept| log.lock().unwrap_or_else(PoisonError::into_inner).row(number, &point, &kept);
-        kept.and_then(told).err().map(Err)
-    });
-    let work = |worker: &mut crate::Worker<'_>,
-                (number, name, point): (u64, Name, Vec<Cell>)|
-     -> Result<(u64, Vec<Cell>, Kept), StudyError> {
+    let unsolved = Unsolved {
+        points: (0_u64..).zip(plan.points()?),
+        names: Names::of(plan),
+        store: store.clone(),
+        log: log.clone(),
+        had: had.clone(),
+        cancel: settings.cancel.clone(),
+    };
+    let into = folder.to_path_buf();
+    let work = move |worker: &mut crate::Worker<'_>, Task { number, name, point }: Task| -> Solved {
         let (kept, made) = solved(worker, &things, name, &point);
         // A disk that is full is no property of the point.
-        made.iter().flatten().try_for_each(|thing| thing.write(folder))?;
+        made.iter().flatten().try_for_each(|thing| thing.write(&into))?;
         Ok((number, point, kept))
     };
-    let swept = pool::each(&prepared, settings.workers, tasks, work, |solved| {
+    let lost = |Task { number, name, point }: Task, outcome| -> Solved {
+        Ok((number, point, Kept { name, outcome, files: Default::default() }))
+    };
+    let pool = Pool::new(prepared, settings.workers, settings.grace);
+    let swept = pool.each(unsolved, work, lost, |solved: Solved| {
         let (number, point, kept) = solved?;
         // What was cancelled half-way is no result.
-        if cancelled() {
+        if settings.cancel.is_cancelled() {
             return Err(StudyError::Stopped);
         }
-        store.lock().unwrap_or_else(PoisonError::into_inner).keep(&kept)?;
-        log.lock().unwrap_or_else(PoisonError::into_inner).row(number, &point, &kept)?;
+        locked(&store).keep(&kept)?;
+        locked(&log).row(number, &point, &kept)?;
         progress.solved += 1;
         progress.failed += u64::from(!kept.outcome.status.is_good());
         progress.had = had.load(Ordering::Relaxed);
@@ -128,16 +123,73 @@ pub fn sweep(
         tell(&progress);
         Ok(())
     });
-    let mut store = store.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let mut store = locked(&store);
     let synced = store.sync();
     swept.and(synced)?;
     progress.had = had.load(Ordering::Relaxed);
     progress.elapsed = start.elapsed();
     tell(&progress);
-    let mut get = |point: &[Cell]| store.get(&names.name(point));
-    let (files, failed_rows) = table::write(plan, folder, &mut get)?;
-    log.into_inner().unwrap_or_else(PoisonError::into_inner).finish()?;
+    let names = Names::of(plan);
+    let (files, failed_rows) = table::write(plan, folder, &mut |point| store.get(&names.name(point)))?;
+    locked(&log).finish()?;
     Ok(Summary { progress, failed_rows, files })
+}
+
+/// A point that is to be solved: its number in the plan, its name, its values.
+#[derive(Debug, Clone)]
+struct Task {
+    number: u64,
+    name: Name,
+    point: Vec<Cell>,
+}
+
+/// A point that was solved, with its number in the plan.
+type Solved = Result<(u64, Vec<Cell>, Kept), StudyError>;
+
+/// The points of a plan that are not solved; those that are go to the log as they are met.
+struct Unsolved<P> {
+    points: P,
+    names: Names,
+    store: Arc<Mutex<Store>>,
+    log: Arc<Mutex<Log>>,
+    /// How many points were solved already, or are the same as another.
+    had: Arc<AtomicU64>,
+    cancel: Cancel,
+}
+
+impl<P: Iterator<Item = (u64, Result<Vec<Cell>, StudyError>)>> Iterator for Unsolved<P> {
+    type Item = Result<Task, StudyError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            let (number, point) = self.points.next()?;
+            if self.cancel.is_cancelled() {
+                return Some(Err(StudyError::Stopped));
+            }
+            match point.and_then(|point| self.looked_at(number, point)) {
+                Ok(None) => {}
+                Ok(Some(task)) => return Some(Ok(task)),
+                Err(error) => return Some(Err(error)),
+            }
+        }
+    }
+}
+
+impl<P> Unsolved<P> {
+    /// The task that a point is, or `None` where it is solved or being solved.
+    fn looked_at(&self, number: u64, point: Vec<Cell>) -> Result<Option<Task>, StudyError> {
+        let name = self.names.name(&point);
+        let mut store = locked(&self.store);
+        if store.take(&name)? {
+            return Ok(Some(Task { number, name, point }));
+        }
+        self.had.fetch_add(1, Ordering::Relaxed);
+        // One that is being solved under another number has no results yet.
+        if let Some(kept) = store.get(&name)? {
+            locked(&self.log).row(number, &point, &kept)?;
+        }
+        Ok(None)
+    }
 }
 
 /// The store of a plan's study in a folder; both are made where they are not there.

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-/// The most points of a plan: a store's index of so many is some gigabytes.
+/// The most points of a plan: the table of places of so many is some gigabytes on the disk.
 pub const MOST_POINTS: u64 = 100_000_000;
 /// The most values that a plan lists for one input.
 pub const MOST_VALUES: usize = 1_000_000;
@@ -32,6 +32,10 @@ pub const TELL_EVERY: Duration = Duration::from_millis(200);
 pub const SYNC_EVERY: Duration = Duration::from_secs(1);
 /// How long a point may take when nobody says so.
 pub const POINT_TIME: Duration = Duration::from_secs(60);
+/// How long an answer is waited for beyond one and a half of a point's time limit: components look at the time now and then.
+pub const HANG_GRACE: Duration = Duration::from_secs(30);
+/// How many points may hang in one process: each goes on taking a processor.
+pub const MOST_HUNG: usize = 16;
 /// Fewer points than this are not worth a thread more.
 pub const LEAST_HAND_OUT: usize = 4;
 /// Rows of a group in Parquet: what is held in memory while a table is written.

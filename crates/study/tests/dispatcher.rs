@@ -106,7 +106,7 @@ fn points_that_a_program_asks_for_are_rows_once_in_that_order() {
     let point = |x: f64, n: f64| vec![Cell::Number(x), Cell::Number(n)];
     let ask = |dispatcher: &mut Dispatcher, points: Vec<Vec<Cell>>| {
         let points: Vec<_> = points.into_iter().map(|point| dispatcher.fitted(point)).collect();
-        let wanted = dispatcher.ask(&points);
+        let wanted = dispatcher.ask(&points).unwrap();
         let count = wanted.len();
         dispatcher.solve_here(&prepared, wanted, 2, &Cancel::default()).unwrap();
         count

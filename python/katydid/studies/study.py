@@ -72,7 +72,7 @@ class Study:
         least and the most, `(4, 64)`. `address` is that of the cluster; "local" starts one on this machine. `progress` is called
         with a `Progress` now and then; an exception in it ends the study, as Ctrl+C does, and what is solved by then is kept.
         `options` are those of Ray's actors. A point whose worker ends three times, or gives no answer within one and a half of
-        its time limit and `grace` seconds, has the status "lost".
+        its time limit and `grace` seconds, has the status "lost"; on this machine it is half a minute, whatever `grace` says.
         """
         if not self._has_points:
             from .._katydid import InputError
@@ -86,7 +86,7 @@ class Study:
                 tell(summed[0])
             return Summary.of(summed)
         self.close()
-        self._core.open()
+        self._core.open(asked=False)
         try:
             pool = self._made(engine, workers, address, options)
             try:

@@ -30,9 +30,8 @@ function portsOf(object: ObjectView): { id: string; name: string }[] {
 export function Effects() {
   const id = useStore(uiStore, (ui) => (ui.selection.size === 1 ? [...ui.selection][0] : undefined));
   const object = useStore(documentStore, (mirror) => (id ? mirror.objects.get(id) : undefined));
-  const isInside = useStore(documentStore, (mirror) => mirror.within.length > 0);
   const target = useStore(studyStore, (study) => study.target);
-  const ports = object && !isInside ? portsOf(object) : [];
+  const ports = object ? portsOf(object) : [];
   const port = ports.find((one) => one.id === target) ?? ports[0];
   useEffect(() => look(port?.id), [port?.id]);
   useEffect(() => () => {
@@ -40,7 +39,6 @@ export function Effects() {
     void showMotion(undefined);
     look(undefined);
   }, []);
-  if (isInside) return <p>{t("effects.inside")}</p>;
   if (!object || !port) return <p>{t("effects.choose")}</p>;
   return (
     <>
@@ -159,10 +157,13 @@ function HereRow({ here, isShown }: { here: HereView; isShown: boolean }) {
   );
 }
 
-/** The name of an input as the canvas has it: several may have the same. */
+/** The name of an input as the canvas has it, since several may have the same; elsewhere its path. */
 function nameOf({ input, name }: { input: HereView["input"]; name: string }): string {
-  const object = documentStore.getState().objects.get(input.object);
-  const own = object?.nickname || object?.name || name;
+  const { objects, within } = documentStore.getState();
+  const isShown = within.join() === input.within.join();
+  const object = isShown ? objects.get(input.object) : undefined;
+  const own = object?.nickname || object?.name;
+  if (!own) return name;
   return input.gene === null ? own : `${own}.${input.gene}`;
 }
 

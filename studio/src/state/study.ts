@@ -6,6 +6,7 @@ import type { EffectsView } from "../core/protocol/EffectsView";
 import type { InputPlace } from "../core/protocol/InputPlace";
 import type { MotionView } from "../core/protocol/MotionView";
 import type { Solved } from "../core/protocol/Solved";
+import type { Target } from "../core/protocol/Target";
 import { documentStore } from "./document";
 import { ask, newGesture } from "./session";
 
@@ -35,8 +36,14 @@ const EMPTY: Study = {
 export const studyStore = createStore<Study>(() => EMPTY);
 
 /** What tells an input from all others. */
-export function keyOf({ object, gene }: InputPlace): string {
-  return gene === null ? object : `${object}.${gene}`;
+export function keyOf({ within, object, gene }: InputPlace): string {
+  const path = [...within, object].join("/");
+  return gene === null ? path : `${path}.${gene}`;
+}
+
+/** What is asked for of an output: it is in the document or the cluster that the page shows. */
+export function targetOf(output: string, item: Target["item"] = null): Target {
+  return { within: [...documentStore.getState().within], output, item };
 }
 
 /** Looks at another output. */
@@ -53,7 +60,7 @@ export async function findEffects(ranges: boolean): Promise<void> {
   studyStore.setState({ busy: ranges ? "ranges" : "here", refused: undefined });
   const revision = documentStore.getState().revision;
   await settle(target, async () => {
-    const answer = await ask({ ask: "effects", target: { output: target, item: null }, with: null, ranges });
+    const answer = await ask({ ask: "effects", target: targetOf(target), with: null, ranges });
     return answer.event === "effects" ? { effects: answer.effects, of: { target, revision } } : {};
   });
 }
@@ -64,7 +71,7 @@ export async function solveFor(numbers: number[]): Promise<void> {
   if (!target) return;
   studyStore.setState({ busy: "wanted", refused: undefined });
   await settle(target, async () => {
-    const wants = [{ target: { output: target, item: null }, numbers }];
+    const wants = [{ target: targetOf(target), numbers }];
     const answer = await ask({ ask: "solveFor", wants, with: movableInputs(), quick: false, gesture: newGesture() });
     return answer.event === "solved" ? { solved: answer.solved } : {};
   });

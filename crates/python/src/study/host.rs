@@ -155,14 +155,17 @@ impl StudyCore {
         listening(py, &cancel, work, tell)?.map(summed).map_err(failed)
     }
 
-    /// Begins to hand out points.
-    fn open(&self, py: Python<'_>) -> PyResult<()> {
+    /// Begins to hand out points. With `asked` the points of the table count as asked for before, and are held in memory.
+    #[pyo3(signature = (asked=true))]
+    fn open(&self, py: Python<'_>, asked: bool) -> PyResult<()> {
         py.detach(|| {
             let mut dispatcher = locked(&self.dispatcher);
             if dispatcher.is_none() {
                 let (plan, call) = (self.plan.clone(), &self.call);
                 let mut new = Dispatcher::open(plan, &call.folder, &call.settings).map_err(failed)?;
-                new.ask_as_before().map_err(failed)?;
+                if asked {
+                    new.ask_as_before().map_err(failed)?;
+                }
                 *dispatcher = Some(new);
             }
             Ok(())
@@ -241,7 +244,7 @@ impl StudyCore {
     /// Asks for points, as `fitted` gives them; gives those that are to be solved.
     fn ask<'py>(&self, py: Python<'py>, points: Vec<Bound<'py, PyBytes>>) -> PyResult<Bound<'py, PyList>> {
         let points = points_in(points)?;
-        let wanted = self.with(py, |dispatcher| Ok(dispatcher.ask(&points)))?;
+        let wanted = self.with(py, |dispatcher| dispatcher.ask(&points))?;
         points_out(py, &wanted)
     }
 

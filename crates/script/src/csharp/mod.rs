@@ -147,6 +147,12 @@ impl Scripts for CSharp {
         self.others.as_ref().map_or(0, |others| others.losses())
     }
 
+    /// Programs keep what their fields hold from one run to the next: each copy of a document has its own.
+    fn another(&self) -> Option<Arc<dyn Scripts>> {
+        let others = self.others.as_ref().map(|others| others.another().unwrap_or_else(|| others.clone()));
+        Some(Arc::new(Self { others, ..Self::default() }))
+    }
+
     fn run(&self, task: &ScriptTask<'_>) -> Result<ScriptDone, Unrun> {
         match &self.others {
             Some(others) if !is_ours(&task.script.language) => others.run(task),

@@ -128,7 +128,8 @@ impl Actor {
             None => Setting::Number { value: *value },
         };
         let edit = Edit::Set { object: input.object, to };
-        let change = self.editor.apply(&edit, Some(gesture), &[]).map_err(|refusal| refusal.to_string())?;
+        let change =
+            self.editor.apply(&edit, Some(gesture), &input.within).map_err(|refusal| refusal.to_string())?;
         self.publish(&change);
         Ok(())
     }
@@ -187,11 +188,11 @@ impl Asked {
         } else {
             (Vec::new(), 0, 0)
         };
-        let place = |one: &Here| places.get(one.variable).copied();
+        let place = |one: &Here| places.get(one.variable).cloned();
         Ok(EffectsView {
             value,
             here: here.iter().filter_map(|one| Some(here_view(place(one)?, one))).collect(),
-            ranged: places.iter().zip(&ranged).map(|(place, one)| ranged_view(*place, one)).collect(),
+            ranged: places.iter().zip(&ranged).map(|(place, one)| ranged_view(place.clone(), one)).collect(),
             points: [points, failed].map(|count| u32::try_from(count).unwrap_or(u32::MAX)),
         })
     }
@@ -232,7 +233,7 @@ impl Asked {
 
     fn motion(&self, engine: Engine, input: InputPlace) -> Result<MotionView, String> {
         let document = engine.document();
-        let variables = vec![variable(document, input)?];
+        let variables = vec![variable(document, &input)?];
         let objects = shown_objects(document);
         let ids: Vec<Uuid> = document.objects.iter().map(|object| object.id).collect();
         let prepared = Prepared::of_engine(engine, self.cancel.clone(), variables, Vec::new());
@@ -251,8 +252,8 @@ fn told(error: StudyError) -> String {
     }
 }
 
-fn output(document: &Document, Target { output, item }: &Target) -> Result<Output, String> {
-    let found = Output::of_id(document, *output).ok_or("there is no such output")?;
+fn output(document: &Document, Target { within, output, item }: &Target) -> Result<Output, String> {
+    let found = Output::of_ids(document, within, *output).map_err(told)?;
     match item {
         None => Ok(found),
         Some(item) => {
@@ -262,11 +263,12 @@ fn output(document: &Document, Target { output, item }: &Target) -> Result<Outpu
     }
 }
 
-fn variable(document: &Document, InputPlace { object, gene }: InputPlace) -> Result<Variable, String> {
-    let at = document.lookup().object(object).ok_or("there is no such input")?;
-    let title = document.objects.get(at).map_or("", |object| object.title()).to_owned();
+fn variable(
+    document: &Document,
+    InputPlace { within, object, gene }: &InputPlace,
+) -> Result<Variable, String> {
     let gene = gene.map(|gene| usize::try_from(gene).unwrap_or(usize::MAX));
-    Variable::of(document, at, gene, title).map_err(told)
+    Variable::of_ids(document, within, *object, gene).map_err(told)
 }
 
 /// The inputs that are named, else all that the outputs hang on.
@@ -276,12 +278,13 @@ fn chosen(
     with: Option<&[InputPlace]>,
 ) -> Result<Vec<Variable>, String> {
     if let Some(with) = with {
-        return with.iter().map(|input| variable(document, *input)).collect();
+        return with.iter().map(|input| variable(document, input)).collect();
     }
     let mut all: Vec<Variable> = Vec::new();
     for output in outputs {
         for found in inputs_of(document, output).map_err(told)? {
-            if !all.iter().any(|other| (other.object, other.gene()) == (found.object, found.gene())) {
+            let is_same = |other: &Variable| other.is_beside(&found) && other.gene() == found.gene();
+            if !all.iter().any(is_same) {
                 all.push(found);
             }
         }
@@ -290,9 +293,9 @@ fn chosen(
 }
 
 fn places(document: &Document, variables: &[Variable]) -> Vec<InputPlace> {
-    let place = |variable: &Variable| InputPlace {
-        object: document.objects.get(variable.object).map(|object| object.id).unwrap_or_default(),
-        gene: variable.gene().and_then(|gene| u32::try_from(gene).ok()),
+    let place = |variable: &Variable| {
+        let (within, object) = variable.ids(document).unwrap_or_default();
+        InputPlace { within, object, gene: variable.gene().and_then(|gene| u32::try_from(gene).ok()) }
     };
     variables.iter().map(place).collect()
 }

@@ -8,7 +8,10 @@ use super::Editor;
 use crate::{Refusal, edits};
 
 /// The document inside a cluster.
-pub(crate) fn content(cluster: &Object) -> Result<Document, Refusal> {
+///
+/// # Errors
+/// The object is no cluster, or one that is locked, lies in another file or is broken.
+pub fn content(cluster: &Object) -> Result<Document, Refusal> {
     let unfit =
         |reason: &str| Refusal::Unfit { object: cluster.title().to_owned(), reason: reason.to_owned() };
     match cluster.cluster(&Limits::default()) {
@@ -45,12 +48,39 @@ pub(crate) fn close(outer: &Document, within: &[Uuid], inner: Document) -> Resul
     let before = content(object)?;
     let after = close(&before, rest, inner)?;
     if before != after {
-        let bytes = archive::write_gh(&after.to_archive().root)?;
-        object.container_mut().set("ClusterDocument", ItemValue::ByteArray(bytes));
-        object.refresh();
+        put(object, &after)?;
         edits::tie_ports(object, &before, &after);
     }
     Ok(outer)
+}
+
+/// Puts a document inside a cluster, whose ports stay as they are.
+fn put(cluster: &mut Object, inner: &Document) -> Result<(), Refusal> {
+    let bytes = archive::write_gh(&inner.to_archive().root)?;
+    cluster.container_mut().set("ClusterDocument", ItemValue::ByteArray(bytes));
+    cluster.refresh();
+    Ok(())
+}
+
+/// Changes an object inside a cluster, or the object itself where `within` is empty: the places of the objects on the way in, each
+/// in the document inside the one before. What is changed must not be a hook: the ports of clusters stay as they are.
+///
+/// # Errors
+/// An object on the way is not there, or is no cluster that can be opened.
+pub fn edit_inside<R>(
+    object: &mut Object,
+    within: &[usize],
+    change: impl FnOnce(&mut Object) -> R,
+) -> Result<R, Refusal> {
+    let Some((&at, rest)) = within.split_first() else { return Ok(change(object)) };
+    let mut inner = content(object)?;
+    let next = inner.objects.get_mut(at).ok_or_else(|| Refusal::Unfit {
+        object: object.title().to_owned(),
+        reason: format!("there is no object {at} inside"),
+    })?;
+    let changed = edit_inside(next, rest, change)?;
+    put(object, &inner)?;
+    Ok(changed)
 }
 
 impl Editor {

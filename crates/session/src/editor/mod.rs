@@ -17,7 +17,9 @@ use history::History;
 pub use draft::{NoResults, Results};
 
 pub(crate) use draft::Draft;
-pub(crate) use inside::{content, open};
+pub use inside::{content, edit_inside};
+
+pub(crate) use inside::open;
 
 use crate::journal::{Found, Journal};
 use crate::protocol::{DocumentState, Edit, Event, ScriptsView};

@@ -8,6 +8,9 @@ use uuid::Uuid;
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Target {
+    /// The clusters that it is inside of, the outermost first; none for what is in the definition itself.
+    #[serde(default)]
+    pub within: Vec<Uuid>,
     /// The output; or an object, for what comes to its first input where it has no outputs, or is a panel.
     pub output: Uuid,
     /// One item alone.
@@ -37,10 +40,13 @@ pub struct Want {
 }
 
 /// An input that a study moves: a slider, or a number of a gene pool.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct InputPlace {
+    /// The clusters that it is inside of, the outermost first; none for what is in the definition itself.
+    #[serde(default)]
+    pub within: Vec<Uuid>,
     /// The object.
     pub object: Uuid,
     /// The place of the number in a gene pool.

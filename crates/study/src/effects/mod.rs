@@ -27,7 +27,12 @@ use crate::{Prepared, StudyError};
 /// The first output of the definition is not one number as it stands, or somebody asked to stop.
 pub fn effects_here(prepared: &Prepared, cancel: &Cancel) -> Result<(f64, Vec<Here>), StudyError> {
     let mut probe = Probe::new(prepared);
-    let value = one_number(&mut probe)?;
+    let value = one_number(&mut probe);
+    // A solve that was ended has no number.
+    if cancel.is_cancelled() {
+        return Err(StudyError::Stopped);
+    }
+    let value = value?;
     let mut found = Vec::new();
     for index in 0..prepared.variables().len() {
         found.extend(here::look(&mut probe, index));

@@ -3,7 +3,8 @@
 use katydid_component::Cancel;
 
 use crate::plan::{Axis, placed, whole_range};
-use crate::{Cell, Prepared, Status, StudyError, Variable, pool};
+use crate::pool::Pool;
+use crate::{Cell, Prepared, Status, StudyError, Variable};
 
 /// The ranges of all variables.
 pub(crate) struct Space {
@@ -59,15 +60,16 @@ pub(super) fn solve_all(
     cancel: &Cancel,
 ) -> Result<Vec<Option<f64>>, StudyError> {
     let mut values = vec![None; points.len()];
+    let asked = cancel.clone();
     let tasks = points
-        .iter()
+        .to_vec()
+        .into_iter()
         .enumerate()
-        .map(|task| if cancel.is_cancelled() { Err(StudyError::Stopped) } else { Ok(task) });
-    pool::each(
-        prepared,
-        workers,
+        .map(move |task| if asked.is_cancelled() { Err(StudyError::Stopped) } else { Ok(task) });
+    Pool::new(prepared.clone(), workers, None).each(
         tasks,
-        |worker, (at, point)| (at, worker.solve(point)),
+        |worker, (at, point)| (at, worker.solve(&point)),
+        |(at, _), outcome| (at, outcome),
         |(at, outcome)| {
             let is_good = matches!(outcome.status, Status::Ok | Status::Warning);
             if let Some(slot) = values.get_mut(at) {

@@ -88,7 +88,7 @@ impl Log {
     ///
     /// # Errors
     /// It cannot be removed.
-    pub(crate) fn finish(self) -> Result<(), StudyError> {
+    pub(crate) fn finish(&self) -> Result<(), StudyError> {
         fs::remove_file(&self.path).map_err(|error| StudyError::file(&self.path, error))
     }
 }

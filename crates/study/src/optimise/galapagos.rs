@@ -3,6 +3,7 @@
 use katydid_definition::document::{Document, Object, Special};
 
 use super::goals::Goal;
+use crate::reach::title_or_id;
 use crate::{Output, StudyError, Variable};
 
 /// The inputs that the definition's Galapagos object moves, the output that it looks at, and what that is to be.
@@ -28,8 +29,7 @@ pub fn galapagos(document: &Document) -> Result<(Vec<Variable>, Output, Goal), S
         let index = lookup.object(*id).or_else(of_port);
         let index = index.ok_or_else(|| unfit("the Galapagos object moves a slider that is not there"))?;
         let Some(object) = document.objects.get(index) else { continue };
-        let same = document.objects.iter().filter(|other| other.title() == object.title()).count();
-        let name = if same > 1 { object.id.to_string() } else { object.title().to_owned() };
+        let name = title_or_id(document, object);
         match object.special() {
             Some(Special::GenePool(pool)) => {
                 for gene in 0..pool.values.len() {

@@ -8,6 +8,7 @@ mod goals;
 mod nsga2;
 mod run;
 mod search;
+mod turn;
 
 pub(crate) use front::front;
 pub use galapagos::galapagos;

@@ -5,6 +5,10 @@
  */
 export type InputPlace = { 
 /**
+ * The clusters that it is inside of, the outermost first; none for what is in the definition itself.
+ */
+within: Array<string>, 
+/**
  * The object.
  */
 object: string, 

@@ -6,6 +6,10 @@ import type { ItemPlace } from "./ItemPlace";
  */
 export type Target = { 
 /**
+ * The clusters that it is inside of, the outermost first; none for what is in the definition itself.
+ */
+within: Array<string>, 
+/**
  * The output; or an object, for what comes to its first input where it has no outputs, or is a panel.
  */
 output: string, 

@@ -2,7 +2,6 @@
 export const effects = {
   "side.effects": "Effects",
   "effects.choose": "Select an object that gives a number or a point.",
-  "effects.inside": "Inside a cluster this is not supported: go back to the definition itself.",
   "effects.of": "Result",
   "effects.here": "What moves it here",
   "effects.hereHelp": "By how much the result changes when an input grows by 1, as the definition stands, and from where to where that holds.",

@@ -9,7 +9,7 @@ import type { ObjectView } from "../../core/protocol/ObjectView";
 import type { Row } from "../../core/protocol/Row";
 import { t } from "../../i18n";
 import { documentStore } from "../../state/document";
-import { movableInputs, studyStore } from "../../state/study";
+import { movableInputs, studyStore, targetOf } from "../../state/study";
 import { ask, edit } from "../../state/session";
 
 /** More handles than this hide the model. */
@@ -83,7 +83,7 @@ function wanted(object: ObjectView, output: string, rows: readonly Row[]): HeldP
     async move(at, point, gesture, done) {
       const item = places[points[at]?.row ?? -1];
       if (!item) return undefined;
-      const wants = [{ target: { output, item }, numbers: [...point] }];
+      const wants = [{ target: targetOf(output, item), numbers: [...point] }];
       const answer = await ask({ ask: "solveFor", wants, with: movableInputs(), quick: !done, gesture });
       if (answer.event !== "solved") return undefined;
       studyStore.setState({ solved: answer.solved });

@@ -1,20 +1,23 @@
 //! The inputs that a study sets.
 
-use katydid_data::{Tree, Value};
+mod placed;
+
 use katydid_definition::document::special::{GenePool, Rounding, Slider};
 use katydid_definition::document::{Document, Object, Special};
-use katydid_session::{InputError, assign_input, find_input};
-use katydid_solver::Engine;
+use katydid_session::{InputError, assign_input, edit_inside, find_input};
+use uuid::Uuid;
 
-use crate::{Cell, StudyError};
+use crate::{Cell, StudyError, inside};
 
 /// An input that a study sets: a slider, a number of a gene pool, a toggle, a list, a panel, a parameter.
 #[derive(Debug, Clone)]
 pub struct Variable {
     /// What it is called in the plan and in tables.
     pub name: String,
-    /// The place of its object in the document.
+    /// The place of its object in the document; where it is inside a cluster, that of the cluster.
     pub object: usize,
+    /// The places of the objects on the way into the cluster, its own at the end; empty where it is in none.
+    within: Vec<usize>,
     kind: Kind,
 }
 
@@ -32,11 +35,25 @@ enum Kind {
 }
 
 impl Variable {
-    /// The input of that name or id. A number of a gene pool is its name, a dot and the number's place from 0: `Genes.2`.
+    /// The input of that name or id. A number of a gene pool is its name, a dot and the number's place from 0: `Genes.2`. An
+    /// input inside a cluster has the cluster's name or id and a slash before its own: `Tower/height`.
     ///
     /// # Errors
     /// There is no such input, or there are several.
     pub fn find(document: &Document, name: &str) -> Result<Self, StudyError> {
+        Self::find_outside(document, name).or_else(|error| {
+            let (cluster, inner, rest) = inside::entered(document, name)?.ok_or(error)?;
+            Ok(Self::find(&inner, rest)?.inside(cluster, name.to_owned()))
+        })
+    }
+
+    /// One of a document inside a cluster, as a variable of the document that the cluster stands in.
+    pub(crate) fn inside(self, cluster: usize, name: String) -> Self {
+        let within = std::iter::once(self.object).chain(self.within).collect();
+        Self { name, object: cluster, within, kind: self.kind }
+    }
+
+    fn find_outside(document: &Document, name: &str) -> Result<Self, StudyError> {
         let (object, gene) = match (find_input(document, name), gene(name)) {
             (Ok(object), _) => (object, None),
             (Err(_), Some((pool, index))) => (find_input(document, pool)?, Some(index)),
@@ -55,8 +72,25 @@ impl Variable {
         gene: Option<usize>,
         name: String,
     ) -> Result<Self, StudyError> {
+        let at = document.objects.get(object);
+        let at = at.ok_or_else(|| StudyError::Unfit(format!("'{name}' is not there")))?;
+        Self::at(at, vec![object], gene, name)
+    }
+
+    /// The input that an object is, or a number of it. `path` is the places of the clusters that it is inside of, and its own at
+    /// the end.
+    ///
+    /// # Errors
+    /// The object is none, or a gene pool without the place of a number.
+    pub(crate) fn at(
+        at: &Object,
+        path: Vec<usize>,
+        gene: Option<usize>,
+        name: String,
+    ) -> Result<Self, StudyError> {
         let unfit = |why: &str| StudyError::Unfit(format!("'{name}' {why}"));
-        let at = document.objects.get(object).ok_or_else(|| unfit("is not there"))?;
+        let (&object, within) = path.split_first().ok_or_else(|| unfit("is not there"))?;
+        let within = within.to_vec();
         let kind = match (at.special(), gene) {
             (Some(Special::GenePool(pool)), Some(index)) if index < pool.values.len() => {
                 Kind::Gene { index, pool }
@@ -73,7 +107,7 @@ impl Variable {
             (Some(Special::Toggle(_)), None) => Kind::Toggle,
             (_, None) => Kind::Other,
         };
-        Ok(Self { name, object, kind })
+        Ok(Self { name, object, within, kind })
     }
 
     /// The smallest and the largest number that it takes; `None` for what is no number.
@@ -137,6 +171,47 @@ impl Variable {
         }
     }
 
+    /// The ids of the clusters that it is inside of, the outermost first, and of its own object; `None` where the document has
+    /// no such objects.
+    pub fn ids(&self, document: &Document) -> Option<(Vec<Uuid>, Uuid)> {
+        let mut object = document.objects.get(self.object)?.clone();
+        let mut within = Vec::with_capacity(self.within.len());
+        for at in &self.within {
+            within.push(object.id);
+            object = inside::content(&object).ok()?.objects.get(*at)?.clone();
+        }
+        Some((within, object.id))
+    }
+
+    /// The input inside clusters of these ids, the outermost first, that an object is, or a number of it.
+    ///
+    /// # Errors
+    /// There is no such object, a cluster cannot be opened, or the object is no input.
+    pub fn of_ids(
+        document: &Document,
+        within: &[Uuid],
+        object: Uuid,
+        gene: Option<usize>,
+    ) -> Result<Self, StudyError> {
+        let id = within.first().copied().unwrap_or(object);
+        let place = document.objects.iter().position(|other| other.id == id);
+        let missing = || StudyError::Unfit("there is no such input".to_owned());
+        let place = place.ok_or_else(missing)?;
+        let at = document.objects.get(place).ok_or_else(missing)?;
+        let Some((_, deeper)) = within.split_first() else {
+            let name = at.title().to_owned();
+            return Self::of(document, place, gene, name);
+        };
+        let found = Self::of_ids(&inside::content(at)?, deeper, object, gene)?;
+        let name = format!("{}/{}", at.title(), found.name);
+        Ok(found.inside(place, name))
+    }
+
+    /// Whether two are numbers of the same object.
+    pub fn is_beside(&self, other: &Self) -> bool {
+        (self.object, &self.within) == (other.object, &other.within)
+    }
+
     /// The place of a number in its gene pool.
     pub fn gene(&self) -> Option<usize> {
         match &self.kind {
@@ -145,53 +220,25 @@ impl Variable {
         }
     }
 
-    /// Makes a slider whose number goes through an expression take numbers to 12 digits: what is given to it from outside would
-    /// go past the expression.
-    pub(crate) fn refine(&self, engine: &mut Engine) {
-        if let Kind::Slider(Slider { expression: Some(_), rounding: Rounding::Real, .. }) = &self.kind {
-            engine.edit(self.object, |object| {
-                if let Some(chunk) = object.container_mut().child_mut("Slider") {
-                    chunk.set("Digits", 12_i32);
-                }
-            });
-        }
-    }
-
-    /// Puts it at a number to all its digits, without a change of the document where that can be. `genes` are the numbers of
-    /// its pool that are not as in the document.
-    pub(crate) fn place(&self, engine: &mut Engine, x: f64, genes: &[(usize, f64)]) {
-        match &self.kind {
-            Kind::Slider(Slider { expression: Some(_), .. }) => {
-                engine.edit(self.object, |object| {
-                    // A number outside the limits is refused where it comes from.
-                    let _ = object.set_slider(x);
-                });
-            }
-            Kind::Slider(_) => engine.give(self.object, 0, Some(Tree::item(Value::Number(x)))),
-            Kind::Gene { pool, .. } => {
-                let mut values: Vec<f64> = pool.values.iter().map(|x| rounded(*x, pool)).collect();
-                for (index, x) in genes {
-                    if let Some(value) = values.get_mut(*index) {
-                        *value = *x;
-                    }
-                }
-                engine.give(self.object, 0, Some(Tree::list(values)));
-            }
-            _ => {}
-        }
-    }
-
     fn takes(&self, x: f64) -> bool {
         self.limits().is_some_and(|[min, max]| min <= x && x <= max)
     }
 
-    /// Sets it in an object of the document.
+    /// Sets it in its object of the document, or of the cluster that is given in its place.
     ///
     /// # Errors
     /// It does not take the value.
     pub(crate) fn set(&self, object: &mut Object, cell: &Cell) -> Result<(), InputError> {
-        let refuse =
-            |reason: String| InputError::Refused { name: self.name.clone(), value: cell.to_string(), reason };
+        edit_inside(object, &self.within, |object| self.set_here(object, cell))
+            .map_err(|refusal| self.refused(cell, refusal.to_string()))?
+    }
+
+    fn refused(&self, cell: &Cell, reason: String) -> InputError {
+        InputError::Refused { name: self.name.clone(), value: cell.to_string(), reason }
+    }
+
+    fn set_here(&self, object: &mut Object, cell: &Cell) -> Result<(), InputError> {
+        let refuse = |reason: String| self.refused(cell, reason);
         match (&self.kind, cell) {
             (Kind::Slider(_) | Kind::Gene { .. }, Cell::Number(x)) if !self.takes(*x) => {
                 let [min, max] = self.limits().unwrap_or_default();
