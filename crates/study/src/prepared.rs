@@ -1,10 +1,11 @@
 //! A definition made ready to be solved at many points.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use katydid_component::{Cancel, Level};
 use katydid_definition::document::Document;
 use katydid_solver::{self as solver, Engine, Options};
+use web_time::Instant;
 
 use crate::{Cell, Output, Variable};
 
@@ -144,8 +145,22 @@ impl Prepared {
 
     /// What solves points: a clone that keeps from one point to the next what did not change.
     pub fn worker(&self) -> Worker<'_> {
-        Worker { prepared: self, engine: self.engine.clone(), set: vec![None; self.variables.len()] }
+        self.take_up(None)
     }
+
+    /// A worker that goes on where another left; a new one where none did.
+    pub(crate) fn take_up(&self, left: Option<Left>) -> Worker<'_> {
+        let begin = || Left { engine: self.engine.clone(), set: vec![None; self.variables.len()] };
+        let Left { engine, set } = left.unwrap_or_else(begin);
+        Worker { prepared: self, engine, set }
+    }
+}
+
+/// What a worker keeps from one point to the next.
+#[derive(Debug)]
+pub(crate) struct Left {
+    engine: Engine,
+    set: Vec<Option<Cell>>,
 }
 
 /// Solves points of a prepared definition, one after another.
@@ -181,6 +196,11 @@ impl Worker<'_> {
         }
         self.engine.solve();
         self.read(start)
+    }
+
+    /// Leaves what it has for another to go on with.
+    pub(crate) fn leave(self) -> Left {
+        Left { engine: self.engine, set: self.set }
     }
 
     /// The engine as the last point left it.
