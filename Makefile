@@ -14,7 +14,7 @@ RELEASED := $(abspath $(or $(CARGO_TARGET_DIR),target))/release
 TOOLS := $(abspath .tools)
 DENY := $(or $(shell command -v cargo-deny),$(TOOLS)/bin/cargo-deny)
 
-.PHONY: packages packages-test front test-front pictures test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws cut-solids clean soak test-studies measure-studies
+.PHONY: packages packages-test front test-front pictures test-workflows wasm wasm-package test-wasm site test-site dist attack attack-short attack-sample attack-server deny deny-advisories studio programs module wheel third-party test-studio test-browser test-figures test lint docs test-rust test-python test-step test-mono test-compute test-effects test-ladybug test-assistant test-branches bench bench-compute bench-csharp bench-kernel bench-threads bench-work oracle fuzz booleans boolean-laws cut-solids clean soak test-studies measure-studies measure-site
 
 test: test-studio test-rust test-python test-browser
 
@@ -193,6 +193,11 @@ pictures: test-studio programs
 # That folder in Chromium. Not part of `make test`: it builds the engine.
 test-site: site
 	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:site
+
+# What figures and sliders take in a page, and beside the program on one thread. Nothing is asserted.
+measure-site: site
+	CHROMIUM=$$(studio/chromium) studio/with-node npm run measure:site
+	studio/with-node node $(CURDIR)/wasm/tests/speed.mjs $(RELEASED)/katydid
 
 # The same command without `make` serves the same program: one with other features would be built beside it.
 # Builds what is missing and opens the studio on the book's sum of vectors.

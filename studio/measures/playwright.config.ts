@@ -8,4 +8,4 @@ const servers = [whole.webServer ?? []].flat().map((server) => ({ ...server, cwd
 /** A trace takes pictures of the page and of its elements all the time: it would be measured too. */
 const use = { ...whole.use, trace: "off" as const };
 
-export default defineConfig({ ...whole, use, testDir: ".", timeout: 300_000, retries: 0, webServer: servers });
+export default defineConfig({ ...whole, use, testDir: ".", testIgnore: "site/**", timeout: 300_000, retries: 0, webServer: servers });

@@ -12,6 +12,7 @@ mod form;
 mod frame;
 mod gallery;
 mod portrait;
+pub mod study;
 mod thumbnails;
 mod touched;
 

@@ -115,6 +115,7 @@ impl Cell {
     }
 
     /// The cells of [`to_bytes`](Self::to_bytes); `None` where the bytes are damaged.
+    #[cfg(feature = "studies")]
     pub fn of_bytes(bytes: &[u8]) -> Option<Vec<Self>> {
         crate::record::cells(bytes)
     }

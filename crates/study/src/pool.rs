@@ -4,10 +4,11 @@
 //! another thread takes its place, and what it gives after all is thrown away.
 
 use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
+use crate::lock::locked;
 use crate::thresholds::{HANG_GRACE, MOST_HUNG};
 use crate::{Cell, Outcome, Prepared, Status, StudyError, Worker};
 
@@ -275,9 +276,4 @@ impl<T: Clone + Send + 'static, W> Crew<'_, T, W> {
             }
         }
     }
-}
-
-/// The guard of a mutex: what a thread that panicked left is looked at all the same.
-pub(crate) fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,13 +1,14 @@
 //! A definition made ready to be solved at many points.
 
 use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use katydid_component::{Cancel, Level};
 use katydid_definition::document::Document;
 use katydid_solver::{self as solver, Engine, Options, Scripts};
+use web_time::Instant;
 
-use crate::pool::locked;
+use crate::lock::locked;
 use crate::{Cell, Output, Variable};
 
 /// How a point came out.
@@ -153,21 +154,52 @@ impl Prepared {
     /// What solves points: a clone that keeps from one point to the next what did not change. Its scripts wait for no other
     /// worker's.
     pub fn worker(&self) -> Worker<'_> {
-        let idle = locked(&self.idle).pop();
-        let known = self.engine.options().scripts.as_ref();
-        let scripts = idle.or_else(|| known.and_then(|scripts| scripts.another()));
-        let engine = self.fresh(scripts.as_ref());
-        Worker { prepared: self, engine, scripts, set: vec![None; self.variables.len()] }
+        self.take_up(None)
     }
 
-    /// A clone of the engine with its own scripts.
-    fn fresh(&self, scripts: Option<&Arc<dyn Scripts>>) -> Engine {
+    /// A worker that goes on where another left; a new one where none did.
+    pub(crate) fn take_up(&self, left: Option<Left>) -> Worker<'_> {
+        let Left { engine, scripts, set } = left.unwrap_or_else(|| self.begin());
+        Worker { prepared: self, engine, scripts, set }
+    }
+
+    fn begin(&self) -> Left {
+        let free = locked(&self.idle).pop();
+        let known = self.engine.options().scripts.as_ref();
+        let own = free.or_else(|| known.and_then(|scripts| scripts.another()));
+        let scripts = OwnScripts { own, idle: self.idle.clone() };
+        Left { engine: self.fresh(&scripts), scripts, set: vec![None; self.variables.len()] }
+    }
+
+    /// A clone of the engine that runs its scripts by these.
+    fn fresh(&self, scripts: &OwnScripts) -> Engine {
         let mut engine = self.engine.clone();
-        if let Some(scripts) = scripts {
-            engine.run_scripts_by(scripts.clone());
+        if let Some(own) = &scripts.own {
+            engine.run_scripts_by(own.clone());
         }
         engine
     }
+}
+
+/// What runs the scripts of one worker and of no other; nothing where all share one. It is free for another at its end.
+#[derive(Debug)]
+struct OwnScripts {
+    own: Option<Arc<dyn Scripts>>,
+    idle: Arc<Mutex<Vec<Arc<dyn Scripts>>>>,
+}
+
+impl Drop for OwnScripts {
+    fn drop(&mut self) {
+        locked(&self.idle).extend(self.own.take());
+    }
+}
+
+/// What a worker keeps from one point to the next.
+#[derive(Debug)]
+pub(crate) struct Left {
+    engine: Engine,
+    scripts: OwnScripts,
+    set: Vec<Option<Cell>>,
 }
 
 /// Solves points of a prepared definition, one after another.
@@ -175,17 +207,9 @@ impl Prepared {
 pub struct Worker<'a> {
     prepared: &'a Prepared,
     engine: Engine,
-    /// What runs its scripts and no other worker's; `None` where all share one.
-    scripts: Option<Arc<dyn Scripts>>,
+    scripts: OwnScripts,
     /// What the variables are set to.
     set: Vec<Option<Cell>>,
-}
-
-impl Drop for Worker<'_> {
-    fn drop(&mut self) {
-        let mut idle = locked(&self.prepared.idle);
-        idle.extend(self.scripts.take());
-    }
 }
 
 impl Worker<'_> {
@@ -212,6 +236,11 @@ impl Worker<'_> {
         }
         self.engine.solve();
         self.read(start)
+    }
+
+    /// Leaves what it has for another to go on with.
+    pub(crate) fn leave(self) -> Left {
+        Left { engine: self.engine, scripts: self.scripts, set: self.set }
     }
 
     /// The engine as the last point left it.
@@ -246,7 +275,7 @@ impl Worker<'_> {
         }
         if matches!(status, Status::Error | Status::Time | Status::Memory) {
             // What was stopped half-way is not kept for the next point.
-            self.engine = self.prepared.fresh(self.scripts.as_ref());
+            self.engine = self.prepared.fresh(&self.scripts);
             self.set.fill(None);
         }
         Outcome { status, reason: first_line(reason), cells, time }

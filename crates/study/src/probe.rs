@@ -1,12 +1,13 @@
 //! A definition solved at numbers to all digits, also such as its sliders would round away.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::time::Instant;
 
 use katydid_component::Level;
 use katydid_data::{Tree, Value};
 use katydid_solver::{Engine, Status};
+use web_time::Instant;
 
+use crate::inquiry::Known;
 use crate::inside::report_at;
 use crate::reach::{Reached, reached};
 use crate::{Cell, Output, Prepared, StudyError, Variable};
@@ -31,8 +32,12 @@ pub(crate) struct Probe {
     watched: Vec<Reached>,
     /// What each variable stands at; `None` for what is no number.
     at: Vec<Option<f64>>,
-    /// How many solves there were.
+    /// What they stand at in the engine: readings that are known need no edit of it.
+    placed: Vec<Option<f64>>,
+    /// How many solves were asked for.
     pub(crate) solves: u64,
+    /// Where it works in slices, what it has read already.
+    known: Option<Known>,
 }
 
 impl Probe {
@@ -47,7 +52,31 @@ impl Probe {
             variable.refine(&mut start);
         }
         start.solve();
-        Self { engine: start.clone(), start, variables, outputs, watched, at, solves: 0 }
+        let placed: Vec<Option<f64>> = at;
+        let at = placed.clone();
+        Self { engine: start.clone(), start, variables, outputs, watched, at, placed, solves: 0, known: None }
+    }
+
+    /// Begins a slice: everything stands as at first, readings that were made already are known, and no new one is begun after
+    /// `until`, but for one. What a search gives is worth nothing where [`is_over`](Self::is_over) says so at its end.
+    pub(crate) fn begin_slice(&mut self, until: Instant) {
+        self.at = self.variables.iter().map(Variable::stands_at).collect();
+        self.solves = 0;
+        self.known.get_or_insert_default().begin(until);
+    }
+
+    /// Whether the slice ended before the search did: its last readings are none.
+    pub(crate) fn is_over(&self) -> bool {
+        self.known.as_ref().is_some_and(Known::is_over)
+    }
+
+    /// Whether the time of a search is over, as `is_over` tells. A slice that comes to where it was found to be over stops there, and
+    /// what was known before a slice takes no time.
+    pub(crate) fn is_time_over(&mut self, is_over: impl FnOnce() -> bool) -> bool {
+        match &mut self.known {
+            None => is_over(),
+            Some(known) => known.is_time_over(self.solves, is_over),
+        }
     }
 
     /// The variables.
@@ -73,34 +102,53 @@ impl Probe {
 
     /// Sets a variable for the next solve.
     pub(crate) fn set(&mut self, variable: usize, x: f64) {
-        let Some(slot) = self.at.get_mut(variable) else { return };
-        if *slot == Some(x) {
-            return;
-        }
-        *slot = Some(x);
-        let Self { engine, variables, at, .. } = self;
-        if let Some(found) = variables.get(variable) {
-            found.place(engine, x, &genes(variables, at, found));
+        if let Some(slot) = self.at.get_mut(variable) {
+            *slot = Some(x);
         }
     }
 
     /// Solves as the variables stand.
     pub(crate) fn solve(&mut self) -> Reading {
         self.solves += 1;
+        let Some(known) = &mut self.known else { return self.solve_anew() };
+        let key = Known::key(&self.at);
+        match known.reading(&key) {
+            Some(reading) => reading,
+            None if known.ends() => Reading { numbers: None, shape: 0 },
+            None => {
+                let reading = self.solve_anew();
+                if let Some(known) = &mut self.known {
+                    known.keep(key, reading.clone());
+                }
+                reading
+            }
+        }
+    }
+
+    fn solve_anew(&mut self) -> Reading {
+        self.place();
         let start = Instant::now();
         self.engine.solve();
         let limit = self.engine.options().limits.time;
         if limit.is_some_and(|limit| start.elapsed() >= limit) {
             // What was stopped half-way is not kept for the next solve.
             self.engine = self.start.clone();
-            for (variable, x) in self.variables.iter().zip(&self.at) {
-                if let Some(x) = x {
-                    variable.place(&mut self.engine, *x, &genes(&self.variables, &self.at, variable));
-                }
-            }
+            self.placed = self.variables.iter().map(Variable::stands_at).collect();
             return Reading { numbers: None, shape: 0 };
         }
         Reading { numbers: self.numbers(), shape: self.shape() }
+    }
+
+    /// Brings the engine to where the variables stand.
+    fn place(&mut self) {
+        let Self { engine, variables, at, placed, .. } = self;
+        for (index, (variable, to)) in variables.iter().zip(at.iter()).enumerate() {
+            let Some(x) = to else { continue };
+            if placed.get(index) != Some(to) {
+                variable.place(engine, *x, &genes(variables, at, variable));
+            }
+        }
+        placed.clone_from(at);
     }
 
     fn numbers(&self) -> Option<Vec<f64>> {
@@ -131,9 +179,28 @@ impl Probe {
 
     /// The first object whose results have other counts at `b` than at `a`, or that fails there, in the order of the document.
     pub(crate) fn what_changes(&mut self, variable: usize, a: f64, b: f64) -> Option<String> {
-        self.read(variable, a);
+        let Some(known) = &mut self.known else { return self.compare(variable, a, b) };
+        let question = (variable, [a.to_bits(), b.to_bits()]);
+        match known.change(&question) {
+            Some(answer) => answer,
+            None if known.ends() => None,
+            None => {
+                let answer = self.compare(variable, a, b);
+                if let Some(known) = &mut self.known {
+                    known.keep_change(question, answer.clone());
+                }
+                answer
+            }
+        }
+    }
+
+    fn compare(&mut self, variable: usize, a: f64, b: f64) -> Option<String> {
+        // Not as readings that may be known: the engine itself is looked at.
+        self.set(variable, a);
+        self.solve_anew();
         let before: Vec<u64> = self.watched.iter().map(|one| self.shape_of(one)).collect();
-        self.read(variable, b);
+        self.set(variable, b);
+        self.solve_anew();
         // What only hands an error's lack of data on is not its cause.
         let failed = self.watched.iter().find_map(|one| {
             let report =

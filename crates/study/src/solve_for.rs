@@ -1,8 +1,9 @@
 //! Inputs for a wanted result: sliders move within their ranges until outputs are where they are wanted.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use katydid_component::Cancel;
+use web_time::Instant;
 
 use crate::probe::Probe;
 use crate::thresholds::{LEAST_MOVE, MOST_ROUNDS, NUDGE};
@@ -37,14 +38,14 @@ impl Default for Effort {
 }
 
 /// When a search that has begun is to end.
-struct Clock {
-    began: Instant,
-    time: Option<Duration>,
+pub(crate) struct Clock {
+    pub(crate) began: Instant,
+    pub(crate) time: Option<Duration>,
 }
 
 impl Clock {
-    fn is_over(&self) -> bool {
-        self.time.is_some_and(|time| self.began.elapsed() >= time)
+    fn is_over(&self, probe: &mut Probe) -> bool {
+        probe.is_time_over(|| self.time.is_some_and(|time| self.began.elapsed() >= time))
     }
 }
 
@@ -63,9 +64,20 @@ pub fn solve_for(
     cancel: &Cancel,
 ) -> Result<Solution, StudyError> {
     let clock = Clock { began: Instant::now(), time: effort.time };
+    search(&mut Probe::new(prepared), wanted, effort.rounds, &clock, cancel)
+}
+
+/// The search of [`solve_for`], by a probe of the definition.
+pub(crate) fn search(
+    probe: &mut Probe,
+    wanted: &[f64],
+    rounds: usize,
+    clock: &Clock,
+    cancel: &Cancel,
+) -> Result<Solution, StudyError> {
     let unfit = |why: String| StudyError::Unfit(why);
     let mut ranges = Vec::new();
-    for variable in prepared.variables() {
+    for variable in probe.variables() {
         if variable.step().is_some() {
             return Err(unfit(format!("'{}' takes whole numbers: it cannot be moved evenly", variable.name)));
         }
@@ -75,7 +87,6 @@ pub fn solve_for(
     if ranges.is_empty() {
         return Err(unfit("no input may move".to_owned()));
     }
-    let mut probe = Probe::new(prepared);
     let mut x: Vec<f64> = probe.at().iter().map(|x| x.unwrap_or(0.0)).collect();
     let numbers = probe.solve().numbers;
     if cancel.is_cancelled() {
@@ -89,19 +100,19 @@ pub fn solve_for(
     }
     let mut errors: Vec<f64> = numbers.iter().zip(wanted).map(|(y, w)| y - w).collect();
     let mut damping = 1e-3;
-    for _ in 0..effort.rounds {
+    for _ in 0..rounds {
         if cancel.is_cancelled() {
             return Err(StudyError::Stopped);
         }
-        let Some(slopes) = slopes(&mut probe, &x, &ranges, wanted, &errors, &clock) else { break };
+        let Some(slopes) = slopes(probe, &x, &ranges, wanted, &errors, clock) else { break };
         let mut is_better = false;
-        while damping < 1e12 && !clock.is_over() {
+        while damping < 1e12 && !clock.is_over(probe) {
             let Some(to) = step(&x, &ranges, &slopes, &errors, damping) else { break };
             let moved = to.iter().zip(&x).zip(&ranges).map(|((a, b), r)| ((a - b) / (r[1] - r[0])).abs());
             if moved.fold(0.0, f64::max) < LEAST_MOVE {
                 break;
             }
-            match errors_at(&mut probe, &to, wanted) {
+            match errors_at(probe, &to, wanted) {
                 Some(new) if size(&new) < size(&errors) => {
                     (x, errors, is_better) = (to, new, true);
                     damping = f64::max(damping / 9.0, 1e-15);
@@ -110,17 +121,17 @@ pub fn solve_for(
                 _ => damping *= 11.0,
             }
         }
-        if !is_better || size(&errors) == 0.0 || clock.is_over() {
+        if !is_better || size(&errors) == 0.0 || clock.is_over(probe) {
             break;
         }
     }
-    let rounded: Vec<f64> = prepared
+    let rounded: Vec<f64> = probe
         .variables()
         .iter()
         .zip(&x)
         .map(|(variable, x)| variable.fitted(Cell::Number(*x)).number().unwrap_or(*x))
         .collect();
-    let last = errors_at(&mut probe, &rounded, wanted);
+    let last = errors_at(probe, &rounded, wanted);
     // A solve that was ended has no numbers.
     if cancel.is_cancelled() {
         return Err(StudyError::Stopped);
@@ -156,7 +167,10 @@ fn slopes(
         let range = max - min;
         let mut row = None;
         // The other side is asked where one has no numbers, or no room.
-        for nudge in [NUDGE, -NUDGE].into_iter().take_while(|_| !clock.is_over()) {
+        for nudge in [NUDGE, -NUDGE] {
+            if clock.is_over(probe) {
+                break;
+            }
             let mut beside = x.to_vec();
             let Some(moved) = beside.get_mut(at) else { continue };
             *moved += nudge * range;

@@ -11,7 +11,8 @@ use katydid_definition::document::Document;
 use katydid_solver::Options;
 
 use crate::folder::Log;
-use crate::pool::{Pool, locked};
+use crate::lock::locked;
+use crate::pool::Pool;
 use crate::record::{Kept, Name, name_of};
 use crate::solver::{options_of, solved};
 use crate::store::Store;

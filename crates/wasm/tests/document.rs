@@ -129,3 +129,100 @@ fn what_makes_no_sense_is_refused_and_nothing_falls() {
     assert!(Document::open("x", Some(b"no definition"), Vec::new(), false).is_err());
     assert!(document.geometry("nothing").is_none() && document.picture("nothing").is_none());
 }
+
+/// An object by its title.
+fn named<'a>(events: &'a [Value], title: &str) -> &'a Value {
+    let objects = of(events, "document")[0]["objects"].as_array().unwrap();
+    objects.iter().find(|object| object["nickname"] == title).unwrap()
+}
+
+/// Its id.
+fn object(events: &[Value], title: &str) -> Value {
+    named(events, title)["id"].clone()
+}
+
+#[test]
+fn what_moves_a_result_is_found_beside_other_requests() {
+    let mut document = open(Vec::new());
+    let (events, _) = settle(&mut document);
+    let (sum, port) = (object(&events, "sum"), named(&events, "sum")["outputs"][0]["id"].clone());
+    let question =
+        |ranges: bool| json!({"target": {"output": sum, "item": null}, "with": null, "ranges": ranges});
+    ask(&mut document, 1, question(true), "effects");
+    assert!(document.is_due() && document.take().is_empty(), "the answer comes when it is found");
+    // Requests are heard between two slices, and a question takes the place of another.
+    document.work(|_| {});
+    ask(&mut document, 2, json!({"port": port, "from": 0, "count": 1, "exact": true, "within": []}), "rows");
+    ask(&mut document, 3, question(true), "effects");
+    let (events, _) = settle(&mut document);
+    assert_eq!(of(&events, "refused").iter().map(|event| event["seq"].clone()).collect::<Vec<_>>(), [1]);
+    let found = of(&events, "effects")[0];
+    assert_eq!(found["seq"], 3);
+    assert_eq!(of(&events, "rows")[0]["seq"], 2);
+    let effects = &found["effects"];
+    assert_eq!(effects["value"], 7.0);
+    for here in effects["here"].as_array().unwrap() {
+        assert_eq!(here["slope"]["is"], "even", "{here}");
+        assert!((here["slope"]["by"]["value"].as_f64().unwrap() - 1.0).abs() < 1e-9, "{here}");
+    }
+    // Two inputs of the same range that are added make a half of the variance each.
+    let ranged = effects["ranged"].as_array().unwrap();
+    assert_eq!(ranged.len(), 2);
+    for one in ranged {
+        assert!((one["share"]["alone"][0].as_f64().unwrap() - 0.5).abs() < 0.05, "{one}");
+    }
+    // One that is ended is told so, and what follows is heard.
+    ask(&mut document, 4, question(true), "effects");
+    document.work(|_| {});
+    ask(&mut document, 5, json!({}), "endStudy");
+    let (events, _) = settle(&mut document);
+    assert_eq!(of(&events, "refused")[0]["seq"], 4);
+    assert_eq!(of(&events, "done")[0]["seq"], 5);
+    assert!(of(&events, "effects").is_empty());
+}
+
+#[test]
+fn inputs_for_a_wanted_result_are_found_and_set_as_one_step() {
+    let mut document = open(Vec::new());
+    let (events, _) = settle(&mut document);
+    let sum = object(&events, "sum");
+    let wants = json!([{"target": {"output": sum, "item": null}, "numbers": [11.0]}]);
+    ask(&mut document, 1, json!({"wants": wants, "with": null, "quick": false, "gesture": 7}), "solveFor");
+    let (events, _) = settle(&mut document);
+    let solved = &of(&events, "solved")[0]["solved"];
+    assert!(solved["off"].as_f64().unwrap() < 1e-9, "{solved}");
+    let inputs: Vec<f64> =
+        solved["inputs"].as_array().unwrap().iter().map(|input| input["value"].as_f64().unwrap()).collect();
+    assert!((inputs.iter().sum::<f64>() - 11.0).abs() < 1e-9, "{solved}");
+    // Both sliders went there in one step of the history, and the results are those of there.
+    assert!(of(&events, "results").last().unwrap()["finished"] == true);
+    ask(&mut document, 2, json!({}), "undo");
+    ask(&mut document, 3, json!({}), "undo");
+    let (events, _) = settle(&mut document);
+    assert_eq!(of(&events, "refused").len(), 1, "there is one step to undo");
+    // What cannot be wanted is refused by name.
+    ask(&mut document, 4, json!({"wants": [], "with": null, "quick": true, "gesture": 8}), "solveFor");
+    let input = json!({"object": sum, "gene": null});
+    ask(&mut document, 5, json!({"input": input}), "motion");
+    let (events, _) = settle(&mut document);
+    let told: Vec<&str> =
+        of(&events, "refused").iter().map(|event| event["reason"].as_str().unwrap()).collect();
+    assert_eq!(told.len(), 2, "{told:?}");
+}
+
+#[test]
+fn places_move_with_an_input() {
+    let mut document = open(Vec::new());
+    let (events, _) = settle(&mut document);
+    let input = json!({"object": object(&events, "a"), "gene": null});
+    ask(&mut document, 1, json!({"input": input}), "motion");
+    let (events, _) = settle(&mut document);
+    let motion = &of(&events, "motion")[0]["motion"];
+    let arrows = motion["arrows"].as_array().unwrap();
+    // The circle grows by 1 where the slider does.
+    assert!(!arrows.is_empty());
+    for arrow in arrows {
+        let by: f64 = arrow["by"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap().powi(2)).sum();
+        assert!((by.sqrt() - 1.0).abs() < 1e-6, "{arrow}");
+    }
+}

@@ -116,8 +116,10 @@ export class Figure extends HTMLElement {
       start.textContent = word("starting");
     }
     try {
-      const { Lesson } = await import("./lesson");
-      const text = await this.#definition();
+      // All that is needed is fetched at once: the engine, the definition, and what draws.
+      transport().prepare();
+      void import("./stage").catch(() => undefined);
+      const [{ Lesson }, text] = await Promise.all([import("./lesson"), this.#definition()]);
       const lesson = await Lesson.open(transport(), this.data.definition.replaceAll("/", "-"), text);
       this.lesson = lesson;
       for (const { nickname, control } of lesson.objects.values()) {

@@ -19,6 +19,9 @@ export class Ways implements Transport {
     return ((await response.json()) as { document: string }).document;
   }
 
+  /** The server runs already. */
+  prepare(): void {}
+
   open(name: string, text: string): Promise<string> {
     return this.#upload(name, text, { passing: "true" });
   }

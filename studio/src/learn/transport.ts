@@ -12,6 +12,8 @@ export interface Line {
 }
 
 export interface Transport {
+  /** Begins what takes long before the first definition is there. */
+  prepare(): void;
   /** Opens a definition for a while; gives its id. */
   open(name: string, text: string): Promise<string>;
   connect(document: string, listener: Listener): Line;

@@ -143,6 +143,31 @@ test("help and search know the components", async ({ page }) => {
   await expect(page.getByRole("option", { name: /Addition/ }).first()).toBeVisible();
 });
 
+test("what moves a result is told, and a wanted one is found, with no server", async ({ page }, info) => {
+  const text =
+    'katydid 1\nr = Number Slider(2.0000, 0.5000..10.0000)\nh = Number Slider(3.0000, 1.0000..9.0000)\n' +
+    'volume = Expression("3*r^2*h", r = r, h = h)\nc = Circle(_, r)\nlayout {\n  r: 40 40\n  h: 40 80\n  volume: 320 60\n  c: 320 200\n}\n';
+  await openText(page, text);
+  await page.getByRole("group", { name: /^volume\b/ }).locator(".band, .name, .title").first().click();
+  await page.keyboard.press("Control+Shift+Y");
+  const panel = page.getByRole("complementary", { name: "Effects" });
+  await panel.getByRole("button", { name: "What moves it here" }).click();
+  const row = (name: string) => panel.getByRole("row").filter({ hasText: name });
+  // 6 r h and 3 r².
+  await expect(row("r").filter({ hasText: "36 ±" })).toBeVisible();
+  await expect(row("h").filter({ hasText: "12 ±" })).toBeVisible();
+  await panel.getByRole("button", { name: "What moves it over the whole ranges" }).click();
+  await expect(panel.getByText(/points solved, 0 without a number/)).toBeVisible();
+  await panel.getByRole("button", { name: "Show in the view how places move with r" }).click();
+  await expect(panel.getByRole("button", { name: "Show in the view how places move with r" })).toHaveAttribute("aria-pressed", "true");
+  await page.screenshot({ path: info.outputPath("effects.png") });
+  await panel.getByRole("checkbox", { name: "h", exact: true }).uncheck();
+  await panel.getByLabel("Number, or x, y, z").fill("225");
+  await panel.getByRole("button", { name: "Find" }).click();
+  // 9 r² = 225: r is 5, and h stays.
+  await expect.poll(() => width(page)).toBe(10);
+});
+
 test("it works without a network once it was seen", async ({ context, page }) => {
   await page.goto("/studio.html");
   await page.evaluate(async () => {

@@ -18,6 +18,7 @@ pub struct Screening {
 }
 
 /// Walks through a grid of four levels, each of which moves every input once, by two thirds of its range.
+#[derive(Debug)]
 pub(super) struct Walks {
     /// Points of the unit cube, so many and one more a walk.
     pub(super) points: Vec<Vec<f64>>,

@@ -1,10 +1,12 @@
 //! Points of a cube as values of inputs, and what the definition gives there.
 
+#[cfg(feature = "studies")]
 use katydid_component::Cancel;
 
 use crate::plan::{Axis, placed, whole_range};
-use crate::pool::Pool;
-use crate::{Cell, Prepared, Status, StudyError, Variable};
+use crate::{Cell, Outcome, Status, StudyError, Variable};
+#[cfg(feature = "studies")]
+use crate::{Prepared, pool::Pool};
 
 /// The ranges of all variables.
 pub(crate) struct Space {
@@ -49,10 +51,17 @@ impl Space {
     }
 }
 
+/// The first output's number at a point that came out well.
+pub(crate) fn value_of(outcome: &Outcome) -> Option<f64> {
+    let is_good = matches!(outcome.status, Status::Ok | Status::Warning);
+    outcome.cells.first().filter(|_| is_good).and_then(Cell::number)
+}
+
 /// The first output's number at each point, in their order; `None` where there is none.
 ///
 /// # Errors
 /// Somebody asked to stop, or no thread could be started.
+#[cfg(feature = "studies")]
 pub(super) fn solve_all(
     prepared: &Prepared,
     workers: usize,
@@ -71,9 +80,8 @@ pub(super) fn solve_all(
         |worker, (at, point)| (at, worker.solve(&point)),
         |(at, _), outcome| (at, outcome),
         |(at, outcome)| {
-            let is_good = matches!(outcome.status, Status::Ok | Status::Warning);
             if let Some(slot) = values.get_mut(at) {
-                *slot = outcome.cells.first().filter(|_| is_good).and_then(Cell::number);
+                *slot = value_of(&outcome);
             }
             Ok(())
         },

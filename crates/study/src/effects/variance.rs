@@ -19,6 +19,7 @@ pub struct Share {
 }
 
 /// Pairs of points of the unit cube, and for each input the first of a pair with that input of the second.
+#[derive(Debug)]
 pub(super) struct Pairs {
     dimensions: usize,
     count: usize,

@@ -7,6 +7,7 @@ use katydid_session::protocol::{Ask, Edit, Event, Request, Setting};
 use katydid_session::{Digits, Refusal, Solution, rows};
 use katydid_solver::Inputs;
 use katydid_studio::pictures;
+use katydid_studio::study::Question;
 use uuid::Uuid;
 
 use super::work::Work;
@@ -23,6 +24,8 @@ enum Answer {
     Done(Vec<Uuid>),
     /// This is it.
     Event(Box<Event>),
+    /// It comes when it is found.
+    Later,
 }
 
 impl Document {
@@ -33,12 +36,13 @@ impl Document {
             Err(error) => return self.notice("error", format!("this request cannot be read: {error}")),
         };
         // These show data as they stand after the edits before them.
-        if matches!(ask, Ask::Rows { .. } | Ask::Pictures { .. }) && self.is_due() {
+        if matches!(ask, Ask::Rows { .. } | Ask::Pictures { .. }) && self.wanted.is_some() {
             self.work(progress);
         }
         let event = match self.carry_out(seq, ask) {
             Ok(Answer::Done(made)) => Event::Done { seq, revision: self.editor.revision(), made },
             Ok(Answer::Event(event)) => *event,
+            Ok(Answer::Later) => return,
             Err(reason) => Event::Refused { seq, reason },
         };
         self.out.say(&event);
@@ -132,13 +136,19 @@ impl Document {
                 let told = katydid_session::explain(&self.engine, place, algorithm)?;
                 return Ok(Answer::Event(Box::new(Event::Explained { seq, explanation: (&told).into() })));
             }
-            Ask::Effects { .. } | Ask::SolveFor { .. } | Ask::Motion { .. } => {
-                return Err(
-                    "what moves a result, and inputs for a wanted one, are not supported in a page; `katydid studio` finds them"
-                        .to_owned(),
-                );
+            Ask::Effects { target, with, ranges } => {
+                self.study(seq, Question::Effects { target, with, ranges });
+                return Ok(Answer::Later);
             }
-            Ask::EndStudy => {}
+            Ask::SolveFor { wants, with, quick, gesture } => {
+                self.study(seq, Question::SolveFor { wants, with, quick, gesture });
+                return Ok(Answer::Later);
+            }
+            Ask::Motion { input } => {
+                self.study(seq, Question::Motion { input });
+                return Ok(Answer::Later);
+            }
+            Ask::EndStudy => self.end_study(),
             Ask::Nurbs { port } => {
                 let at = self.engine.document().lookup().output(port).ok_or("there is no such output")?;
                 let curve = katydid_session::nurbs_of(&self.engine, at.object, at.port)?;

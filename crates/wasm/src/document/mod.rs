@@ -6,6 +6,7 @@
 
 mod asked;
 mod shown;
+mod study;
 mod work;
 
 use std::collections::HashMap;
@@ -23,6 +24,7 @@ use crate::journal::{self, Queue, Queued, Written};
 use crate::opening::{self, Opened};
 use crate::outgoing::{Message, Named, Outgoing};
 use shown::Seen;
+use study::Study;
 pub use work::Progress;
 use work::{End, Work};
 
@@ -51,6 +53,8 @@ pub struct Document {
     is_model_due: bool,
     /// What waits to be done.
     wanted: Option<Work>,
+    /// What the client asked about the definition, and waits for.
+    study: Option<Study>,
     /// The number of the solve that was begun last.
     number: u64,
     end: Option<End>,
@@ -106,6 +110,7 @@ impl Document {
             model_geometry: Vec::new(),
             is_model_due: false,
             wanted: None,
+            study: None,
             number: 0,
             end: None,
             out: Outgoing::default(),

@@ -47,12 +47,12 @@ impl Document {
 
     /// Whether there is something to be done.
     pub fn is_due(&self) -> bool {
-        self.wanted.is_some()
+        self.wanted.is_some() || self.study.is_some()
     }
 
-    /// Does what is due: solves, draws, looks. It takes as long as it takes.
+    /// Does what is due: solves, draws, looks, which takes as long as it takes; where nothing of it is, a slice of a study.
     pub fn work(&mut self, progress: Progress) {
-        let Some(work) = self.wanted.take() else { return };
+        let Some(work) = self.wanted.take() else { return self.study_on() };
         self.number += 1;
         let solved = (work == Work::Solve).then(|| self.solve(progress));
         self.draw();

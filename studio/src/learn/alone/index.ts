@@ -39,6 +39,11 @@ export class Ways implements Transport {
     return worker;
   }
 
+  /** The worker loads the engine as soon as it is there. */
+  prepare(): void {
+    this.#begun();
+  }
+
   send(message: ToWorker): void {
     this.#begun().postMessage(message);
   }
