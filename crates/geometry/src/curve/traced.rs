@@ -108,7 +108,7 @@ impl Span {
 }
 
 /// Rows of samples of a formula over `from`…`to`, so many that the cubics between them are within `tolerance` of it,
-/// tested in the middle of each and halfway to its ends. Directions may be given either way; they are turned to run along. Where the formula
+/// tested in the middle of each. Directions may be given either way; they are turned to run along. Where the formula
 /// gives nothing a row ends, to 10⁻⁹ of the range, and where it leaps, to 10⁻⁵ of it.
 ///
 /// # Errors
@@ -118,6 +118,32 @@ pub(crate) fn sampled(
     to: f64,
     parts: usize,
     tolerance: f64,
+    formula: impl FnMut(f64) -> Result<Option<Sample>>,
+) -> Result<Vec<Vec<Sample>>> {
+    rows(from, to, parts, tolerance, &[], formula)
+}
+
+/// As [`sampled`], tested also halfway from the middle of each cubic to its ends: for formulas that are smooth up to the
+/// ends of the range.
+///
+/// # Errors
+/// The first error of the formula.
+pub(crate) fn sampled_closely(
+    from: f64,
+    to: f64,
+    parts: usize,
+    tolerance: f64,
+    formula: impl FnMut(f64) -> Result<Option<Sample>>,
+) -> Result<Vec<Vec<Sample>>> {
+    rows(from, to, parts, tolerance, &BESIDE_MIDDLE, formula)
+}
+
+fn rows(
+    from: f64,
+    to: f64,
+    parts: usize,
+    tolerance: f64,
+    beside: &[f64],
     mut formula: impl FnMut(f64) -> Result<Option<Sample>>,
 ) -> Result<Vec<Vec<Sample>>> {
     let parts = parts.max(1);
@@ -148,10 +174,10 @@ pub(crate) fn sampled(
                 let long = a.point.distance_to(b.point) > tolerance;
                 let mut fits = span.miss(m.point) <= tolerance && (!long || span.is_tame(m));
                 if fits && long && depth < DEEPEST && budget > 0 {
-                    for share in BESIDE_MIDDLE {
+                    for &share in beside {
                         budget = budget.saturating_sub(1);
-                        let beside = formula(s + share * (t - s))?;
-                        fits = beside.is_some_and(|p| span.distance_to(p.point, share) <= tolerance);
+                        let asked = formula(s + share * (t - s))?;
+                        fits = asked.is_some_and(|p| span.distance_to(p.point, share) <= tolerance);
                         if !fits {
                             break;
                         }
@@ -367,7 +393,7 @@ fn round(samples: &[Sample], exact: f64) -> Option<Curve> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sample, joined, sampled};
+    use super::{Sample, joined, sampled, sampled_closely};
     use crate::{Curve, Point3, Result, Vector3};
 
     fn wave(t: f64) -> Result<Option<Sample>> {
@@ -399,7 +425,7 @@ mod tests {
             let direction = Vector3::new(1.0, std::f64::consts::TAU * height * turn.cos(), 0.0).unitized();
             Ok(Some(Sample { point: Point3::new(t, height * turn.sin(), 0.0), direction }))
         };
-        let curves = joined(&sampled(0.0, 1.0, 1, 1e-3, odd).unwrap(), 1e-9, 0.01).unwrap();
+        let curves = joined(&sampled_closely(0.0, 1.0, 1, 1e-3, odd).unwrap(), 1e-9, 0.01).unwrap();
         for k in 0..=200 {
             let p = odd(f64::from(k) / 200.0).unwrap().unwrap().point;
             assert!(curves[0].closest_point(p).unwrap().distance <= 1e-3, "{k}");

@@ -7,7 +7,7 @@ use super::thresholds::{
     CUTS, HEIGHT_OF_PLACE, HEIGHT_OF_PLANE, HEIGHT_OF_SIZE, IN_PLANE, JOINED, JOINED_LEAST,
 };
 use super::zeros::{self, Cell};
-use crate::curve::traced::{Sample, joined, sampled};
+use crate::curve::traced::{Sample, joined, sampled_closely};
 use crate::{Curve, Direction, Error, NurbsSurface, Plane, Quadrant, Result, Surface, Tolerance};
 
 /// The curves in which a plane cuts a surface.
@@ -65,7 +65,9 @@ pub fn surface_plane(surface: &Surface, plane: &Plane, tolerance: &Tolerance) ->
     let mut rows: Vec<Vec<Sample>> = Vec::with_capacity(stretches.len());
     for stretch in &stretches {
         let Some(patch) = patches.get(stretch.patch()) else { continue };
-        rows.extend(sampled(0.0, 1.0, 2, 0.5 * limit, |x| Ok(Some(sample(stretch.place(x), patch, plane))))?);
+        rows.extend(sampled_closely(0.0, 1.0, 2, 0.5 * limit, |x| {
+            Ok(Some(sample(stretch.place(x), patch, plane)))
+        })?);
     }
     // Crossings on the common side of two parts agree to rounding; other curves keep further apart than this.
     let gap = (JOINED * size).min(0.25 * limit).max(4.0 * noise);
