@@ -75,7 +75,9 @@ pub(crate) fn search(
     clock: &Clock,
     cancel: &Cancel,
 ) -> Result<Solution, StudyError> {
-    let unfit = |why: String| StudyError::Unfit(why);
+    // What a solve that was stopped does not give is no fault of the definition.
+    let unfit =
+        |why: String| if cancel.is_cancelled() { StudyError::Stopped } else { StudyError::Unfit(why) };
     let mut ranges = Vec::new();
     for variable in probe.variables() {
         if variable.step().is_some() {

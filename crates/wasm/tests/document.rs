@@ -200,6 +200,13 @@ fn inputs_for_a_wanted_result_are_found_and_set_as_one_step() {
     ask(&mut document, 3, json!({}), "undo");
     let (events, _) = settle(&mut document);
     assert_eq!(of(&events, "refused").len(), 1, "there is one step to undo");
+    // A gesture that is taken back leaves no slider moved.
+    ask(&mut document, 9, json!({"wants": wants, "with": null, "quick": false, "gesture": 9}), "solveFor");
+    document.work(|_| {});
+    ask(&mut document, 10, json!({"gesture": 9}), "abandon");
+    let (events, _) = settle(&mut document);
+    assert_eq!(of(&events, "refused")[0]["reason"], "it was ended");
+    assert!(of(&events, "solved").is_empty() && of(&events, "results").is_empty());
     // What cannot be wanted is refused by name.
     ask(&mut document, 4, json!({"wants": [], "with": null, "quick": true, "gesture": 8}), "solveFor");
     let input = json!({"object": sum, "gene": null});

@@ -69,6 +69,8 @@ impl Document {
                 self.publish(&change);
             }
             Ask::Abandon { gesture } => {
+                // What is being found for the gesture must not move sliders after it was taken back.
+                self.end_study();
                 let change = self.editor.abandon(gesture);
                 self.publish(&change);
             }
