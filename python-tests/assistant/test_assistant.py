@@ -53,12 +53,12 @@ def structured(result):
     return found if found is not None else result.structuredContent
 
 
-def run(work, *words):
+def run(work, *words, env=None):
     """Runs work with a client of a new server."""
     import anyio
 
     async def main():
-        server = StdioServerParameters(command=KATYDID, args=["mcp", *words])
+        server = StdioServerParameters(command=KATYDID, args=["mcp", *words], env=env)
         async with stdio_client(server) as (read, write):
             async with ClientSession(read, write) as session:
                 await session.initialize()

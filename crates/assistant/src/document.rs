@@ -10,12 +10,14 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use katydid_component::Limits;
 use katydid_definition::document::{Difference, Document};
 use katydid_definition::kd;
-use katydid_session::{Editor, Registry};
+use katydid_session::Editor;
 use katydid_solver::{Engine, Options, Progress, Status};
 use serde_json::{Value, json};
 
+use crate::attached::Original;
 use crate::fault::Fault;
 use crate::job::{Job, State};
+use crate::text::Text;
 use crate::thresholds::{LONGEST_LINE, MOST_FAILED};
 
 /// A definition that is open.
@@ -26,6 +28,9 @@ pub(crate) struct Opened {
     results: Mutex<Solved>,
     job: Mutex<Option<Arc<Job>>>,
     place: Mutex<Place>,
+    text: Mutex<Option<Arc<Text>>>,
+    /// The document of a studio that this is a copy of.
+    pub(crate) original: Option<Original>,
 }
 
 /// Results, and of which state of the definition they are.
@@ -52,7 +57,13 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 impl Opened {
     /// Opens a definition. `options` say what its solves may use.
-    pub(crate) fn new(id: String, document: Document, mut options: Options, path: Option<PathBuf>) -> Self {
+    pub(crate) fn new(
+        id: String,
+        document: Document,
+        mut options: Options,
+        path: Option<PathBuf>,
+        original: Option<Original>,
+    ) -> Self {
         let editor = Editor::new(document, options.rules);
         options.rules = editor.rules();
         let kept = Arc::clone(editor.document());
@@ -63,6 +74,8 @@ impl Opened {
             results: Mutex::new(Solved { engine, revision: None }),
             job: Mutex::new(None),
             place: Mutex::new(Place { path, kept }),
+            text: Mutex::default(),
+            original,
         }
     }
 
@@ -122,6 +135,9 @@ impl Opened {
 
     /// The name that is shown of it.
     pub(crate) fn name(&self) -> String {
+        if let Some(original) = self.original.as_ref().filter(|original| !original.name.is_empty()) {
+            return original.name.clone();
+        }
         let stem = |path: &Path| path.file_stem().map(|name| name.to_string_lossy().into_owned());
         let from_path = self.place().path.as_deref().and_then(stem);
         from_path.unwrap_or_else(|| self.document().header.name.clone())
@@ -270,9 +286,16 @@ impl Opened {
         told
     }
 
-    /// The definition as text, and what the text leaves out.
-    pub(crate) fn text(&self, what: &str) -> Result<kd::Written, Fault> {
-        kd::write(&self.document(), &Registry).map_err(|error| Fault::new(what, &self.id, error.to_string()))
+    /// The definition as text, as it stands. What is made of it is kept until the definition changes.
+    pub(crate) fn text(&self) -> Arc<Text> {
+        let document = self.document();
+        let mut kept = lock(&self.text);
+        if let Some(text) = kept.as_ref().filter(|text| text.is_of(&document)) {
+            return Arc::clone(text);
+        }
+        let text = Arc::new(Text::new(document));
+        *kept = Some(Arc::clone(&text));
+        text
     }
 }
 

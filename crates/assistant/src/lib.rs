@@ -2,11 +2,14 @@
 //!
 //! An [`Assistant`] has definitions open, and tools by which they are made, described, edited with undo, solved, looked at,
 //! explained, compared, saved and exported. Edits and answers never wait for a solve, which goes on as a job. Files are read
-//! and written below the folders that [`Config`] names, and nowhere else. [`serve`] speaks over the standard input and
+//! and written below the folders that [`Config`] names, and nowhere else. Where [`Config`] names a studio that a person has
+//! open, the definitions are copies of the documents there: each call brings them up to date, and each edit is a step there,
+//! which the person sees and can take back. [`serve`] speaks over the standard input and
 //! output; tests speak with an [`Assistant`] in memory.
 //!
 //! The protocol itself is that of the library `rmcp`; what an edit means is told by `katydid-session`.
 
+mod attached;
 mod document;
 mod fault;
 mod folders;
@@ -15,6 +18,8 @@ mod reference;
 mod resources;
 mod server;
 mod store;
+mod studio;
+mod text;
 mod thresholds;
 mod tools;
 mod work;
@@ -24,7 +29,7 @@ use rmcp::transport::async_rw::AsyncRwTransport;
 use rmcp::transport::stdio_pipes;
 
 pub use server::Assistant;
-pub use store::{Config, ScriptsOf};
+pub use store::{Config, ScriptsOf, StudioAddress};
 
 /// Serves one client over the standard input and output, until it closes the input.
 ///

@@ -33,6 +33,11 @@ solve, look at the problems it tells, ask why for objects that failed, read_valu
 look at the result. save_definition and export_geometry write files, below the folders that are open only. Every editing call is \
 one step for undo; a call that is refused changes nothing.";
 
+/// What it is told besides where the definitions are those of a studio.
+const IN_STUDIO: &str = " You work on the definitions that a person has open in the studio: list_definitions tells them. The \
+person sees each edit as it is made, and edits too; every call has the newest state. undo takes back only your own steps, as \
+long as the person has done nothing since. Do not call new_definition, open_definition or close_definition: the person does that.";
+
 /// A server of the protocol. Clones are the same server.
 #[derive(Clone)]
 pub struct Assistant {
@@ -52,6 +57,13 @@ impl Assistant {
     /// A folder is not there.
     pub fn new(config: Config) -> Result<Self, String> {
         Ok(Self { store: Arc::new(Store::new(config)?) })
+    }
+
+    fn instructions(&self) -> String {
+        match self.store.config.studio {
+            Some(_) => format!("{INSTRUCTIONS}{IN_STUDIO}"),
+            None => INSTRUCTIONS.to_owned(),
+        }
     }
 
     async fn call(
@@ -160,7 +172,7 @@ fn told(answer: Answer) -> CallToolResult {
 impl ServerHandler for Assistant {
     fn get_info(&self) -> ServerConfig {
         let capabilities = ServerCapabilities::builder().enable_tools().enable_resources().build();
-        let mut info = ServerConfig::new(capabilities).with_instructions(INSTRUCTIONS);
+        let mut info = ServerConfig::new(capabilities).with_instructions(self.instructions());
         info.server_info = Implementation::new("katydid", env!("CARGO_PKG_VERSION"));
         info
     }

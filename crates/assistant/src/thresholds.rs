@@ -50,3 +50,9 @@ pub(crate) const MOST_MEASURED: usize = 10_000;
 pub(crate) const MOST_FAILED: usize = 50;
 /// The archive version of .3dm files: Rhino 7 and all after it read it.
 pub(crate) const ARCHIVE_VERSION: i32 = 70;
+/// The longest that a studio of this machine may take to answer: it never solves in between.
+pub(crate) const LONGEST_QUESTION: Duration = Duration::from_secs(10);
+/// The largest answer of a studio, in bytes: the largest file that is opened, as text.
+pub(crate) const LONGEST_ANSWER: u64 = MOST_FILE / 3 * 4 + (1 << 20);
+/// The longest file with the address of a studio, in bytes.
+pub(crate) const LONGEST_ADDRESS: u64 = 4 << 10;

@@ -521,6 +521,10 @@ pub(crate) struct StudioArgs {
     #[arg(long, requires = "file")]
     pub(crate) player: bool,
 
+    /// Let the program of an assistant on this machine (`katydid mcp --studio`) read and edit what is open here
+    #[arg(long)]
+    pub(crate) allow_assistant: bool,
+
     /// The folder of a book to show at /learn, in place of Katydid's own
     #[arg(long, value_name = "FOLDER")]
     pub(crate) book: Option<PathBuf>,

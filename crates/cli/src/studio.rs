@@ -15,6 +15,7 @@ pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
         file: args.file.clone(),
         model: args.model.clone(),
         player: args.player,
+        assistant: args.allow_assistant,
         book: args.book.clone(),
         state: Config::usual_state(),
         scripts: Some(args.scripts.for_studio()),
@@ -26,10 +27,19 @@ pub(crate) fn studio(args: &StudioArgs) -> Result<u8, String> {
 /// Serves until a signal ends it, after the address is printed and opened in the browser.
 pub(crate) fn serve(config: Config, no_open: bool) -> Result<u8, String> {
     let (is_shared, has_files) = (!config.address.is_loopback(), !config.folders.is_empty());
+    let lets_in = config.assistant;
     serving::run(async {
         let mut signals = Signals::listen()?;
         let server = katydid_server::start(config).await.map_err(|error| error.to_string())?;
         greet(&server, is_shared, has_files, no_open);
+        if lets_in {
+            let how = if server.tells_assistants() {
+                "katydid mcp --studio"
+            } else {
+                "katydid mcp --studio ADDRESS"
+            };
+            note(&format!("{YELLOW}note{YELLOW:#}: an assistant can join with {how}, and edit what is open"));
+        }
         printed()?;
         signals.next().await;
         Ok(signals.stopping(server.stop()).await)

@@ -30,6 +30,9 @@ pub struct Config {
     pub book: Option<PathBuf>,
     /// The study whose page stands at `/study`.
     pub study: Option<StudyConfig>,
+    /// Whether a program of this machine that knows the token may read and edit the documents that are open, as
+    /// `katydid mcp --studio` does.
+    pub assistant: bool,
     /// The most bytes of a file that is sent.
     pub most_upload: usize,
     /// The most documents that are open at a time.
@@ -74,6 +77,7 @@ impl Default for Config {
             scripts: None,
             book: None,
             study: None,
+            assistant: false,
             most_upload: 256 << 20,
             most_documents: 64,
         }
@@ -89,6 +93,11 @@ impl Config {
             .or_else(|| variable("LOCALAPPDATA"))
             .or_else(|| Some(variable("HOME")?.join(".local").join("state")))?;
         Some(state.join("katydid"))
+    }
+
+    /// The file in which a studio that lets assistants in tells its address, token included, to programs of the same user.
+    pub fn address_file(state: &std::path::Path) -> PathBuf {
+        state.join("studio-address")
     }
 
     /// Who works on the documents: whoever runs it alone, who knows the token, or others too.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::document::Source;
+use crate::files::AddressFile;
 use crate::http::{self, State, Study};
 use crate::listen::{Listening, bind, url};
 use crate::{Config, Error};
@@ -18,6 +19,8 @@ pub struct Server {
     opening: String,
     state: Arc<State>,
     listening: Listening,
+    /// Tells programs of assistants the address, as long as the server runs.
+    told: Option<AddressFile>,
 }
 
 impl std::fmt::Debug for Server {
@@ -37,6 +40,8 @@ pub async fn start(config: Config) -> Result<Server, Error> {
     let (file, model, player) = (config.file.clone(), config.model.clone(), config.player);
     let study = config.study.as_ref().map(Study::open).transpose().map_err(Error::Open)?;
     let page = if study.is_some() { "study" } else { "" };
+    let wants_told = config.assistant && config.is_local();
+    let told = config.state.as_deref().filter(|_| wants_told).map(Config::address_file);
     let state = Arc::new(State::new(config, address.port(), study));
     let mut query = Vec::new();
     if player {
@@ -54,7 +59,8 @@ pub async fn start(config: Config) -> Result<Server, Error> {
     let opening = with(format!("ticket={}", state.guard.ticket()));
     let url = with(format!("token={}", state.guard.token()));
     let listening = Listening::start(listener, address, http::router(Arc::clone(&state)), GRACE);
-    Ok(Server { url, opening, state, listening })
+    let told = told.and_then(|file| AddressFile::write(file, &url).ok());
+    Ok(Server { url, opening, state, listening, told })
 }
 
 fn opened(file: &std::path::Path, model: Option<&std::path::Path>) -> Result<Source, String> {
@@ -80,6 +86,11 @@ impl Server {
     /// the words of that command, and the token must not be among them.
     pub fn opening(&self) -> &str {
         &self.opening
+    }
+
+    /// Whether programs of assistants find the address by themselves: it stands in a file that only its owner can read.
+    pub fn tells_assistants(&self) -> bool {
+        self.told.is_some()
     }
 
     /// Whether the page is here: it is built apart.

@@ -126,6 +126,11 @@ pub(super) fn overview(opened: &Opened) -> Value {
         "undo": state.as_ref().and_then(|state| state.document.undo.clone()),
         "redo": state.as_ref().and_then(|state| state.document.redo.clone()),
     });
+    if let Some(original) = &opened.original {
+        told["studio"] = original.told();
+        // What the person did is there to be taken back by the person.
+        (told["undo"], told["redo"]) = (Value::Null, Value::Null);
+    }
     if all_inputs.len() > MOST_LISTED {
         told["note"] = json!(format!("{} inputs in all: list_objects has the others", all_inputs.len()));
     }
@@ -354,7 +359,8 @@ fn text(store: &Store, given: Text) -> Result<Reply, Fault> {
     const WHAT: &str = "no text was given";
     let opened = store.find(WHAT, given.document.as_deref())?;
     let revision = opened.editor().revision();
-    let kd::Written { text, left_out } = opened.text(WHAT)?;
+    let made = opened.text();
+    let kd::Written { text, left_out } = made.written().map_err(|why| Fault::new(WHAT, &opened.id, why))?;
     let is_block = |line: &str| ["layout {", "ids {", "details {", "file {", "data {"].contains(&line);
     let all: Vec<(usize, &str)> = (1..).zip(text.lines()).collect();
     let end = if given.blocks { None } else { all.iter().position(|(_, line)| is_block(line)) };

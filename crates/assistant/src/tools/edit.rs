@@ -34,7 +34,7 @@ pub(super) fn entries() -> Vec<Entry> {
         entry(
             "undo",
             "Undo",
-            "Takes the last changes of a definition back, one step a call to an editing tool.",
+            "Takes the last changes of a definition back, one step a call to an editing tool. In a studio only your own steps.",
             Does::Edits,
             undo,
         ),
@@ -161,7 +161,7 @@ fn edit(store: &Store, given: EditArguments) -> Result<Reply, Fault> {
         1 => draft.undo_name().unwrap_or("Edit").to_owned(),
         count => format!("{count} edits"),
     };
-    editor.put_document(Document::clone(draft.document()), name, None);
+    opened.put(WHAT, &mut editor, Document::clone(draft.document()), name)?;
     let (revision, after) = (editor.revision(), Arc::clone(editor.document()));
     drop(editor);
     let names = Names::new(&after);
@@ -462,31 +462,28 @@ struct Steps {
 }
 
 fn undo(store: &Store, given: Steps) -> Result<Reply, Fault> {
-    walk(store, &given, "nothing was undone", "there is nothing to undo", |editor| {
-        let name = editor.undo_name().map(str::to_owned);
-        editor.undo().and(name)
-    })
+    walk(store, &given, "nothing was undone", "there is nothing to undo", false)
 }
 
 fn redo(store: &Store, given: Steps) -> Result<Reply, Fault> {
-    walk(store, &given, "nothing was done again", "there is nothing to do again", |editor| {
-        let name = editor.redo_name().map(str::to_owned);
-        editor.redo().and(name)
-    })
+    walk(store, &given, "nothing was done again", "there is nothing to do again", true)
 }
 
-fn walk(
-    store: &Store,
-    given: &Steps,
-    what: &str,
-    none: &str,
-    step: impl Fn(&mut Editor) -> Option<String>,
-) -> Result<Reply, Fault> {
+/// Takes a step back, or makes it again; what it is called.
+fn step(editor: &mut Editor, again: bool) -> Option<String> {
+    let name = if again { editor.redo_name() } else { editor.undo_name() }.map(str::to_owned);
+    if again { editor.redo() } else { editor.undo() }.and(name)
+}
+
+fn walk(store: &Store, given: &Steps, what: &str, none: &str, again: bool) -> Result<Reply, Fault> {
     let opened = store.find(what, given.document.as_deref())?;
     let mut editor = opened.editor();
     let before = Arc::clone(editor.document());
     let wanted = given.steps.unwrap_or(1).clamp(1, MOST_EDITS);
-    let steps: Vec<String> = std::iter::from_fn(|| step(&mut editor)).take(wanted).collect();
+    let steps: Vec<String> = match &opened.original {
+        Some(original) => original.walk(what, &mut editor, again, wanted)?,
+        None => std::iter::from_fn(|| step(&mut editor, again)).take(wanted).collect(),
+    };
     if steps.is_empty() {
         return Err(Fault::new(what, &opened.id, none));
     }
@@ -494,7 +491,9 @@ fn walk(
     told["document"] = json!(opened.id);
     told["steps"] = json!(steps);
     told["revision"] = json!(editor.revision());
-    told["undo"] = json!(editor.undo_name());
-    told["redo"] = json!(editor.redo_name());
+    if opened.original.is_none() {
+        told["undo"] = json!(editor.undo_name());
+        told["redo"] = json!(editor.redo_name());
+    }
     Ok(told.into())
 }

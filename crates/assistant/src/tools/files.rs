@@ -75,6 +75,7 @@ struct New {
 
 fn new(store: &Store, given: New) -> Result<Reply, Fault> {
     const WHAT: &str = "no definition was made";
+    store.must_be_own(WHAT)?;
     let (mut document, units) = match (&given.kd, &given.example) {
         (Some(_), Some(_)) => {
             return Err(Fault::new(WHAT, "kd, example", "only one of the two can be given"));
@@ -118,6 +119,7 @@ struct Open {
 
 fn open(store: &Store, given: Open) -> Result<Reply, Fault> {
     const WHAT: &str = "the definition was not opened";
+    store.must_be_own(WHAT)?;
     let form = Form::of(Path::new(&given.path)).ok_or_else(|| {
         Fault::new(WHAT, &given.path, "a definition is a .gh, .ghx or .kd file; models go with `model`")
     })?;
@@ -141,6 +143,7 @@ fn read_model(store: &Store, path: &str) -> Result<RhinoModel, Fault> {
 struct Nothing {}
 
 fn list(store: &Store, _: Nothing) -> Result<Reply, Fault> {
+    store.follow("nothing was listed")?;
     let open: Vec<Value> = store
         .all()
         .iter()
@@ -172,6 +175,10 @@ fn list(store: &Store, _: Nothing) -> Result<Reply, Fault> {
 
 /// Whether something of it would be lost.
 fn is_unsaved(one: &Opened) -> bool {
+    // What is open in a studio is there still.
+    if one.original.is_some() {
+        return false;
+    }
     let kept = one.place();
     let document = one.document();
     match kept.path {
@@ -198,6 +205,10 @@ fn save(store: &Store, given: Save) -> Result<Reply, Fault> {
     let (path, overwrite) = match (&given.path, opened.place().path) {
         (Some(path), _) => (path.clone(), given.overwrite),
         (None, Some(own)) => (own.display().to_string(), true),
+        (None, None) if opened.original.is_some() => {
+            let why = "the person saves it in the studio: name a path for a copy";
+            return Err(Fault::new(WHAT, "path", why));
+        }
         (None, None) => return Err(Fault::new(WHAT, "path", "it is in no file yet: name one")),
     };
     let form = Form::of(Path::new(&path))
@@ -207,7 +218,9 @@ fn save(store: &Store, given: Save) -> Result<Reply, Fault> {
     let (bytes, left_out) =
         katydid_studio::write(form, &document).map_err(|why| Fault::new(WHAT, &path, why))?;
     Folders::write(&place, &bytes)?;
-    opened.note_saved(place.clone(), document);
+    if opened.original.is_none() {
+        opened.note_saved(place.clone(), document);
+    }
     Ok(json!({ "document": opened.id, "path": place, "bytes": bytes.len(), "left_out": left_out }).into())
 }
 
@@ -223,6 +236,7 @@ struct Close {
 
 fn close(store: &Store, given: Close) -> Result<Reply, Fault> {
     const WHAT: &str = "the definition was not closed";
+    store.must_be_own(WHAT)?;
     let opened = store.find(WHAT, Some(&given.document))?;
     if is_unsaved(&opened) && !given.discard {
         let why = "it has changes that are not saved: save it, or call again with \"discard\": true";

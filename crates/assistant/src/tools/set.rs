@@ -66,7 +66,7 @@ fn set(store: &Store, given: Set) -> Result<Reply, Fault> {
         }
     }
     let names: Vec<&str> = given.values.keys().map(String::as_str).collect();
-    let change = editor.put_document(after, cut(&format!("Set {}", names.join(", "))), None);
+    let change = opened.put(WHAT, &mut editor, after, cut(&format!("Set {}", names.join(", "))))?;
     let mut told = json!({ "document": opened.id, "set": names, "changed": !change.is_empty(), "revision": editor.revision() });
     if !rounded.is_empty() {
         told["rounded"] = json!(rounded);

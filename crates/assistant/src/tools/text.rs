@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use katydid_definition::document::{Difference, Document};
-use katydid_definition::kd;
+use katydid_session::Editor;
 use katydid_session::protocol::Edit;
-use katydid_session::{Editor, Registry};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::json;
@@ -69,27 +68,25 @@ fn edit(store: &Store, given: EditText) -> Result<Reply, Fault> {
     if given.replace.len() > MOST_EDITS {
         return Err(Fault::new(WHAT, "replace", format!("more than {MOST_EDITS} passages are not taken")));
     }
-    let before = {
+    let old = opened.text();
+    if let Some(wanted) = given.revision {
         let editor = opened.editor();
         let revision = editor.revision();
-        if given.revision.is_some_and(|wanted| wanted != revision) {
-            return Err(Fault::new(
-                WHAT,
-                "revision",
-                format!("the definition is at revision {revision} now: read it again"),
-            ));
+        if wanted != revision || !Arc::ptr_eq(editor.document(), old.document()) {
+            let why = format!("the definition is at revision {revision} now: read it again");
+            return Err(Fault::new(WHAT, "revision", why));
         }
-        Arc::clone(editor.document())
-    };
-    let old =
-        kd::write(&before, &Registry).map_err(|error| Fault::new(WHAT, &opened.id, error.to_string()))?.text;
+    }
+    let written = old.written().map_err(|why| Fault::new(WHAT, &opened.id, why))?;
     let text = match given.whole {
         Some(text) => text,
-        None => patched(old.clone(), &given.replace, given.append.as_deref())?,
+        None => patched(written.text.clone(), &given.replace, given.append.as_deref())?,
     };
-    let (after, units) = read_text(WHAT, &text)?;
-    let after = kept(&before, &old, after);
-    put(&opened, &before, after, units)
+    // Both texts are read side by side.
+    let (read, again) = rayon::join(|| read_text(WHAT, &text), || old.again());
+    let (after, units) = read?;
+    let after = kept(old.document(), again, after);
+    put(&opened, old.document(), after, units)
 }
 
 /// The text with its passages replaced and statements added before the blocks at the end.
@@ -126,15 +123,15 @@ fn patched(mut text: String, replace: &[Passage], append: Option<&str>) -> Resul
 
 /// The document after, in which what the text did not change is as it was, byte for byte: the text leaves some of an archive
 /// out, and that is not lost by a change elsewhere.
-fn kept(before: &Document, old: &str, after: Document) -> Document {
-    let Ok((again, _)) = read_text(WHAT, old) else { return after };
+fn kept(before: &Document, again: Option<&Document>, after: Document) -> Document {
+    let Some(again) = again else { return after };
     let same =
         |(a, b): (&katydid_definition::document::Object, &katydid_definition::document::Object)| a.id == b.id;
     if again.objects.len() != before.objects.len() || !again.objects.iter().zip(&before.objects).all(same) {
         return after;
     }
     let mut whole = before.clone();
-    match whole.apply(&Difference::between(&again, &after)) {
+    match whole.apply(&Difference::between(again, &after)) {
         Ok(_) => whole,
         Err(_) => after,
     }
@@ -170,7 +167,7 @@ fn put(
         };
         draft.apply(&edit, None, &[]).map_err(|why| Fault::new(WHAT, "units", why.to_string()))?;
     }
-    editor.put_document(Document::clone(draft.document()), "Edit text".to_owned(), None);
+    opened.put(WHAT, &mut editor, Document::clone(draft.document()), "Edit text".to_owned())?;
     let (revision, now) = (editor.revision(), Arc::clone(editor.document()));
     drop(editor);
     let mut told = diff::changes(before, &now, false);

@@ -231,6 +231,7 @@ impl Actor {
             }
             Command::Work(news) => self.heard(news),
             Command::Found(found) => self.found(found),
+            Command::Assistant(asked) => self.assistant(asked),
             Command::Close(_) => {}
         }
     }

@@ -6,6 +6,7 @@
 
 mod actor;
 mod asked;
+pub(crate) mod assistant;
 mod clients;
 mod drawn;
 mod journal;
@@ -59,6 +60,8 @@ pub(crate) enum Command {
     Work(worker::News),
     /// Inputs that were found for a wanted result.
     Found(studies::Found),
+    /// What the program of an assistant asks.
+    Assistant(assistant::Asked),
     /// The end.
     Close(oneshot::Sender<()>),
 }

@@ -40,6 +40,11 @@ impl Beside {
         self.attached.as_ref().map(|attached| &attached.model)
     }
 
+    /// The name of its file.
+    pub(super) fn name(&self) -> Option<&str> {
+        self.attached.as_ref().map(|attached| attached.name.as_str())
+    }
+
     /// Takes what was drawn of it; it may be gone by then.
     pub(super) fn show(&mut self, ModelPreview { view, geometries }: ModelPreview, all: &Geometries) {
         let Some(name) = self.attached.as_ref().map(|attached| attached.name.clone()) else { return };

@@ -2,6 +2,7 @@
 
 mod answer;
 mod api;
+mod assistant;
 mod documents;
 mod guard;
 mod learn;
@@ -33,6 +34,8 @@ pub(crate) struct State {
     pub(crate) shared: Arc<Shared>,
     pub(crate) book: learn::Shelf,
     pub(crate) study: Option<Arc<Study>>,
+    /// Whether programs of assistants may come in.
+    assistant: bool,
     most_upload: usize,
 }
 
@@ -55,6 +58,7 @@ impl State {
             shared,
             book: learn::Shelf::new(config.book.clone()),
             study: study.map(Arc::new),
+            assistant: config.assistant,
             most_upload: config.most_upload,
         }
     }
@@ -64,7 +68,12 @@ impl State {
 pub(crate) fn router(state: Arc<State>) -> Router {
     let upload = post(api::upload).layer(DefaultBodyLimit::max(state.most_upload));
     let convert = post(api::convert).layer(DefaultBodyLimit::max(state.most_upload));
+    let step = post(assistant::step).layer(DefaultBodyLimit::max(assistant::LARGEST));
     Router::new()
+        .route("/api/assistant", get(assistant::documents))
+        .route("/api/assistant/state", get(assistant::state))
+        .route("/api/assistant/step", step)
+        .route("/api/assistant/walk", post(assistant::walk))
         .route("/api/start", get(api::start))
         .route("/api/open", post(api::open))
         .route("/api/close", post(api::close))

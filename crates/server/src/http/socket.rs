@@ -65,7 +65,7 @@ pub(crate) async fn join(
 }
 
 /// Whose page asks. A program of this machine that passes the requests of others on says so, as a rule.
-fn standing(peer: Option<Peer>, headers: &HeaderMap) -> Standing {
+pub(super) fn standing(peer: Option<Peer>, headers: &HeaderMap) -> Standing {
     let is_here = peer.is_some_and(|Peer(peer)| peer.ip().to_canonical().is_loopback());
     let is_passed_on =
         ["forwarded", "x-forwarded-for", "x-real-ip", "via"].iter().any(|name| headers.contains_key(*name));

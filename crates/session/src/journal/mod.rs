@@ -4,6 +4,7 @@
 //! A journal is a row of records, each with its length and a checksum; one that was cut short at the end counts as far
 //! as it goes. It begins with the document as it was, so that nothing but the journal is needed to have it back.
 
+mod difference;
 #[cfg(not(target_family = "wasm"))]
 mod file;
 mod record;
@@ -12,6 +13,7 @@ mod writer;
 
 use std::io;
 
+pub use difference::{read_difference, write_difference};
 #[cfg(not(target_family = "wasm"))]
 pub use file::FileStore;
 pub use replay::Found;

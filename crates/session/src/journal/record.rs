@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crc32fast::hash;
 use katydid_definition::archive::{self, Chunk, Encoding, Limits};
-use katydid_definition::document::{Difference, Object};
+use katydid_definition::document::Difference;
 
-use super::Source;
+use super::{Source, difference};
 
 /// How a journal begins.
 pub(super) const MAGIC: &[u8; 8] = b"KTJL\x01\0\0\0";
@@ -83,10 +83,6 @@ fn next(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
     (hash(payload) == word(4)?).then_some((payload, bytes.get(HEAD + length..)?))
 }
 
-fn count(n: usize) -> i32 {
-    i32::try_from(n).unwrap_or(i32::MAX)
-}
-
 fn chunk(record: &Record) -> Chunk {
     match record {
         Record::Begin(begin) => {
@@ -107,20 +103,7 @@ fn chunk(record: &Record) -> Chunk {
                 chunk.set("Gesture", archive::ItemValue::Int64(gesture.cast_signed()));
             }
             chunk.set("At", archive::ItemValue::Int64(step.at.cast_signed()));
-            let items = (0..)
-                .zip(&step.difference.removed)
-                .map(|(k, at)| archive::Item::indexed("Removed", k, count(*at)));
-            chunk.items.extend(items);
-            for (at, object) in &step.difference.put {
-                let mut put = Chunk::indexed("Put", count(*at));
-                put.chunks.push(object.chunk().clone());
-                chunk.chunks.push(put);
-            }
-            if let Some(frame) = &step.difference.frame {
-                let mut around = Chunk::new("Frame");
-                around.chunks.push(Chunk::clone(frame));
-                chunk.chunks.push(around);
-            }
+            difference::write(&step.difference, &mut chunk);
             chunk
         }
         Record::Undo => Chunk::new("Undo"),
@@ -142,19 +125,12 @@ fn parse(payload: &[u8]) -> Option<Record> {
             document: chunk.bytes("Document")?.to_vec(),
         })),
         "Step" => {
-            let place = |k: i32| usize::try_from(k).ok();
-            let removed = chunk.list("Removed").into_iter().map(|(_, at)| at.as_i32().and_then(place));
-            let mut put = Vec::new();
-            for chunk in chunk.chunks.iter().filter(|chunk| chunk.name == "Put") {
-                put.push((place(chunk.index?)?, Object::from_chunk(chunk.chunks.first()?.clone())));
-            }
-            let frame = chunk.child("Frame").and_then(|around| around.chunks.first()).cloned();
-            let removed = removed.collect::<Option<_>>()?;
+            let difference = difference::read(&chunk)?;
             Record::Step(Step {
                 name: chunk.str("Name").unwrap_or_default().to_owned(),
                 gesture: chunk.i64("Gesture").map(i64::cast_unsigned),
                 at: chunk.i64("At").unwrap_or(0).cast_unsigned(),
-                difference: Arc::new(Difference { removed, put, frame: frame.map(Arc::new) }),
+                difference: Arc::new(difference),
             })
         }
         "Undo" => Record::Undo,
