@@ -91,9 +91,6 @@ pub(crate) fn search(
     }
     let mut x: Vec<f64> = probe.at().iter().map(|x| x.unwrap_or(0.0)).collect();
     let numbers = probe.solve().numbers;
-    if cancel.is_cancelled() {
-        return Err(StudyError::Stopped);
-    }
     let numbers =
         numbers.ok_or_else(|| unfit("the outputs give no numbers as the definition stands".to_owned()))?;
     if numbers.len() != wanted.len() {
@@ -133,13 +130,8 @@ pub(crate) fn search(
         .zip(&x)
         .map(|(variable, x)| variable.fitted(Cell::Number(*x)).number().unwrap_or(*x))
         .collect();
-    let last = errors_at(probe, &rounded, wanted);
-    // A solve that was ended has no numbers.
-    if cancel.is_cancelled() {
-        return Err(StudyError::Stopped);
-    }
-    let last =
-        last.ok_or_else(|| unfit("the outputs give no numbers where the sliders round to".to_owned()))?;
+    let last = errors_at(probe, &rounded, wanted)
+        .ok_or_else(|| unfit("the outputs give no numbers where the sliders round to".to_owned()))?;
     let numbers = last.iter().zip(wanted).map(|(e, w)| e + w).collect();
     Ok(Solution { inputs: rounded, numbers, off: size(&last).sqrt(), solves: probe.solves })
 }

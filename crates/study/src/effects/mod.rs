@@ -32,12 +32,9 @@ pub fn effects_here(prepared: &Prepared, cancel: &Cancel) -> Result<(f64, Vec<He
 
 /// [`effects_here`], by a probe of the definition.
 pub(crate) fn here_of(probe: &mut Probe, cancel: &Cancel) -> Result<(f64, Vec<Here>), StudyError> {
-    let value = one_number(probe);
     // A solve that was ended has no number.
-    if cancel.is_cancelled() {
-        return Err(StudyError::Stopped);
-    }
-    let value = value?;
+    let stopped = |error| if cancel.is_cancelled() { StudyError::Stopped } else { error };
+    let value = one_number(probe).map_err(stopped)?;
     let mut found = Vec::new();
     for index in 0..probe.variables().len() {
         found.extend(here::look(probe, index));
