@@ -96,7 +96,8 @@ impl Actor {
     fn put(&mut self, input: &SolvedInput, gesture: u64) -> Result<(), String> {
         let edit = study::edit_of(input);
         let within = &input.input.within;
-        let change = self.editor.apply(&edit, Some(gesture), within).map_err(|refusal| refusal.to_string())?;
+        let change =
+            self.editor.apply(&edit, Some(gesture), within).map_err(|refusal| refusal.to_string())?;
         self.publish(&change);
         Ok(())
     }
