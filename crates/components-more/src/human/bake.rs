@@ -56,7 +56,7 @@ mod tests {
         let named = |name: &str| Value::from(ModelObject { name: name.into(), ..ModelObject::default() });
         let points = Tree::list(vec![Point3::ORIGIN; 3]);
         let mut attributes = TreeBuilder::<Value>::new();
-        ["a", "b"].map(|name| attributes.push(Some(named(name))));
+        ["a", "b"].into_iter().for_each(|name| attributes.push(Some(named(name))));
         let inputs = [Tree::item(Value::Boolean(true)), points.clone(), attributes.finish()];
         let names: Vec<String> = (baker.objects)(&inputs, &Default::default())
             .iter()
