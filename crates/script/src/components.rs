@@ -56,6 +56,8 @@ impl Registry for Components {
             budget: &budget,
             files: &katydid_component::Files::default(),
             model: None,
+            // A component that a script calls writes no files.
+            outbox: None,
         };
         let outcome = (component.run)(&call);
         let error = outcome.messages.iter().find(|message| message.level == Level::Error);
