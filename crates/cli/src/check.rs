@@ -167,6 +167,8 @@ fn told(known: &KnownOfPlugin) -> String {
 
 /// So many outputs are named; `--json` has all.
 const MOST_NAMED: usize = 12;
+/// How many objects are named that an output needs; `--json` has all.
+const MOST_NEEDS: usize = 4;
 
 /// What runs without what is missing, in lines.
 fn without(check: &Check) -> Vec<String> {
@@ -191,7 +193,7 @@ fn without(check: &Check) -> Vec<String> {
         } else {
             format!(" ({})", missing.component)
         };
-        let needs = missing.needs.join(", ");
+        let needs = named(&missing.needs);
         lines.push(format!("              {}{component} {DIM}needs {needs}{DIM:#}", one_line(&missing.name)));
     }
     let more = outputs.missing.len().saturating_sub(MOST_NAMED);
@@ -199,6 +201,15 @@ fn without(check: &Check) -> Vec<String> {
         lines.push(format!("              and {more} more"));
     }
     lines
+}
+
+/// The first names of a list, and how many more there are.
+fn named(names: &[String]) -> String {
+    let mut shown = names.iter().take(MOST_NEEDS).map(String::as_str).collect::<Vec<_>>().join(", ");
+    if let Some(more) = names.len().checked_sub(MOST_NEEDS).filter(|more| *more > 0) {
+        shown += &format!(" and {more} more");
+    }
+    shown
 }
 
 fn one_line(text: &str) -> String {

@@ -151,7 +151,9 @@ fn write_files(outbox: &Outbox, folder: &Path) -> Result<(), String> {
     let files = outbox.take();
     if files.is_empty() {
         note("No component writes a file");
+        return Ok(());
     }
+    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     for file in files {
         let path = folder.join(&file.name);
         write_file(&path, &file.bytes)?;
