@@ -23,7 +23,7 @@ fn cut(tree: &Tree, size: impl Fn(usize) -> usize, most: usize) -> (Tree, Tree) 
     for branch in tree.branches() {
         let items = of(&branch);
         let size = size(items.len());
-        let whole = if size == 0 { 0 } else { (items.len() / size).min(most) };
+        let whole = items.len().checked_div(size).unwrap_or(0).min(most);
         for (number, chunk) in items.chunks(size.max(1)).take(whole).enumerate() {
             chunks.extend(branch.path().child(number), chunk.iter().cloned());
         }

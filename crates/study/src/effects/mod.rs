@@ -81,7 +81,7 @@ pub fn effects_over_range(
     settings: &RangeSettings,
 ) -> Result<(Vec<Ranged>, usize, usize), StudyError> {
     let points = RangePoints::new(prepared, settings.pairs, settings.seed)?;
-    let values = sample::solve_all(prepared, settings.workers, points.points(), &settings.cancel)?;
+    let values = sample::solve_all(prepared, settings.workers, points.points().to_vec(), &settings.cancel)?;
     Ok(points.ranged(prepared.variables(), &values))
 }
 

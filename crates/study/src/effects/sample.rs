@@ -65,13 +65,12 @@ pub(crate) fn value_of(outcome: &Outcome) -> Option<f64> {
 pub(super) fn solve_all(
     prepared: &Prepared,
     workers: usize,
-    points: &[Vec<Cell>],
+    points: Vec<Vec<Cell>>,
     cancel: &Cancel,
 ) -> Result<Vec<Option<f64>>, StudyError> {
     let mut values = vec![None; points.len()];
     let asked = cancel.clone();
     let tasks = points
-        .to_vec()
         .into_iter()
         .enumerate()
         .map(move |task| if asked.is_cancelled() { Err(StudyError::Stopped) } else { Ok(task) });
