@@ -43,9 +43,11 @@ mod tests {
 
     #[test]
     fn lengths_of_units() {
-        assert_eq!(metres(Units::Miles), 1760.0 * metres(Units::Yards));
-        assert_eq!(metres(Units::Yards), 3.0 * metres(Units::Feet));
-        assert!((12.0 * metres(Units::Inches) - metres(Units::Feet)).abs() < 1e-15);
+        // What the lengths are as decimals, no product of doubles is to the last bit.
+        let are_one = |a: f64, b: f64| (a - b).abs() <= 2.0 * f64::EPSILON * b;
+        assert!(are_one(1760.0 * metres(Units::Yards), metres(Units::Miles)));
+        assert!(are_one(3.0 * metres(Units::Feet), metres(Units::Yards)));
+        assert!(are_one(12.0 * metres(Units::Inches), metres(Units::Feet)));
     }
 
     #[test]
