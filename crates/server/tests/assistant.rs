@@ -149,6 +149,7 @@ async fn people_see_each_call_and_take_it_back_as_one_step() {
     assert_eq!(undone["steps"], json!(["Set r, side"]), "{undone}");
     two.shows("shown", &["7"]).await;
     two.shows("second", &["6"]).await;
+    one.shows("shown", &["7"]).await;
     assert_eq!((slider(&one, "r"), slider(&two, "side")), (7.0, 3.0));
     assistant.refused("undo", json!({}), "by the person").await;
     let again = assistant.call("redo", json!({})).await;
