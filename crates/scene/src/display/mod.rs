@@ -41,6 +41,9 @@ mod tests {
         "Export ASC",
         "Export DF",
         "Export XYZ",
+        "KML Exporter",
+        // What it puts into the model is seen once it is baked.
+        "Bake Geometry",
     ];
 
     /// A component without outputs is there to be seen in the model, but for those that hand data to who runs the
