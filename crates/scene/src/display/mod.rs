@@ -28,7 +28,7 @@ pub(crate) fn of(object: &Object) -> Option<Draw> {
 mod tests {
     use super::*;
 
-    const ELSEWHERE: [&str; 11] = [
+    const ELSEWHERE: [&str; 13] = [
         "Context Bake",
         "Context Print",
         "Data Output",
