@@ -38,11 +38,17 @@ struct Search {
 /// What a slice came to.
 enum Slice {
     /// It goes on so.
-    More(Stage),
+    More(Box<Stage>),
     /// What the client is told.
     Told(Event),
     /// Inputs for a wanted result, and the gesture that puts them there.
     Found(Solved, u64),
+}
+
+impl Slice {
+    fn more(stage: Stage) -> Self {
+        Self::More(Box::new(stage))
+    }
 }
 
 impl From<Posed> for Search {
@@ -69,7 +75,7 @@ impl Document {
     pub(super) fn study_on(&mut self) {
         let Some(Study { seq, stage }) = self.study.take() else { return };
         let event = match stage.slice(&self.engine, seq) {
-            Ok(Slice::More(stage)) => return self.study = Some(Study { seq, stage }),
+            Ok(Slice::More(stage)) => return self.study = Some(Study { seq, stage: *stage }),
             Ok(Slice::Told(event)) => event,
             Ok(Slice::Found(solved, gesture)) => {
                 let mut inputs = solved.inputs.iter();
@@ -99,25 +105,25 @@ impl Stage {
             Self::Asked(question) => begin(question, engine.clone(), seq),
             Self::Here { mut search, ranges } => {
                 let Some(here) = search.inquiry.effects_here(SLICE) else {
-                    return Ok(Slice::More(Self::Here { search, ranges }));
+                    return Ok(Slice::more(Self::Here { search, ranges }));
                 };
                 let here = here.map_err(told)?;
                 if ranges {
-                    return Ok(Slice::More(Self::Ranges { search, here }));
+                    return Ok(Slice::more(Self::Ranges { search, here }));
                 }
                 let effects = study::effects_view(&search.places, here, (Vec::new(), 0, 0));
                 Ok(Slice::Told(Event::Effects { seq, effects }))
             }
             Self::Ranges { mut search, here } => {
                 let Some(ranged) = search.inquiry.effects_over_range(PAIRS, SEED, SLICE) else {
-                    return Ok(Slice::More(Self::Ranges { search, here }));
+                    return Ok(Slice::more(Self::Ranges { search, here }));
                 };
                 let effects = study::effects_view(&search.places, here, ranged.map_err(told)?);
                 Ok(Slice::Told(Event::Effects { seq, effects }))
             }
             Self::Wanted { mut search, wanted, effort, gesture } => {
                 let Some(found) = search.inquiry.solve_for(&wanted, effort, SLICE) else {
-                    return Ok(Slice::More(Self::Wanted { search, wanted, effort, gesture }));
+                    return Ok(Slice::more(Self::Wanted { search, wanted, effort, gesture }));
                 };
                 let variables = search.inquiry.prepared().variables();
                 let solved = study::solved_view(&search.places, variables, found.map_err(told)?);
@@ -133,12 +139,12 @@ fn begin(question: Question, engine: Engine, seq: u64) -> Result<Slice, String> 
     Ok(match question {
         Question::Effects { target, with, ranges } => {
             let search = Posed::effects(engine, &target, with.as_deref(), cancel)?.into();
-            Slice::More(Stage::Here { search, ranges })
+            Slice::more(Stage::Here { search, ranges })
         }
         Question::SolveFor { wants, with, quick, gesture } => {
             let (posed, wanted) = Posed::wanted(engine, &wants, with.as_deref(), cancel)?;
             let effort = study::effort(quick);
-            Slice::More(Stage::Wanted { search: posed.into(), wanted, effort, gesture })
+            Slice::more(Stage::Wanted { search: posed.into(), wanted, effort, gesture })
         }
         Question::Motion { input } => {
             let motion = study::motion_view(engine, input, &cancel)?;
