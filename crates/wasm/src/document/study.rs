@@ -40,7 +40,7 @@ enum Slice {
     /// It goes on so.
     More(Box<Stage>),
     /// What the client is told.
-    Told(Event),
+    Told(Box<Event>),
     /// Inputs for a wanted result, and the gesture that puts them there.
     Found(Solved, u64),
 }
@@ -48,6 +48,10 @@ enum Slice {
 impl Slice {
     fn more(stage: Stage) -> Self {
         Self::More(Box::new(stage))
+    }
+
+    fn tell(event: Event) -> Self {
+        Self::Told(Box::new(event))
     }
 }
 
@@ -76,7 +80,7 @@ impl Document {
         let Some(Study { seq, stage }) = self.study.take() else { return };
         let event = match stage.slice(&self.engine, seq) {
             Ok(Slice::More(stage)) => return self.study = Some(Study { seq, stage: *stage }),
-            Ok(Slice::Told(event)) => event,
+            Ok(Slice::Told(event)) => *event,
             Ok(Slice::Found(solved, gesture)) => {
                 let mut inputs = solved.inputs.iter();
                 match inputs.try_for_each(|input| self.put(input, gesture)) {
@@ -112,14 +116,14 @@ impl Stage {
                     return Ok(Slice::more(Self::Ranges { search, here }));
                 }
                 let effects = study::effects_view(&search.places, here, (Vec::new(), 0, 0));
-                Ok(Slice::Told(Event::Effects { seq, effects }))
+                Ok(Slice::tell(Event::Effects { seq, effects }))
             }
             Self::Ranges { mut search, here } => {
                 let Some(ranged) = search.inquiry.effects_over_range(PAIRS, SEED, SLICE) else {
                     return Ok(Slice::more(Self::Ranges { search, here }));
                 };
                 let effects = study::effects_view(&search.places, here, ranged.map_err(told)?);
-                Ok(Slice::Told(Event::Effects { seq, effects }))
+                Ok(Slice::tell(Event::Effects { seq, effects }))
             }
             Self::Wanted { mut search, wanted, effort, gesture } => {
                 let Some(found) = search.inquiry.solve_for(&wanted, effort, SLICE) else {
@@ -148,7 +152,7 @@ fn begin(question: Question, engine: Engine, seq: u64) -> Result<Slice, String> 
         }
         Question::Motion { input } => {
             let motion = study::motion_view(engine, input, &cancel)?;
-            Slice::Told(Event::Motion { seq, motion })
+            Slice::tell(Event::Motion { seq, motion })
         }
     })
 }
