@@ -137,9 +137,12 @@ test-studio: studio/node_modules/installed
 	studio/with-node npm test
 	studio/with-node npm run build
 
-# The page in Chromium, served by the binary; then the viewport alone.
+# The page in Chromium, served by the binary: two halves side by side, each with a server of its own, since one browser keeps a
+# processor and a half busy at most. Then the viewport alone.
 test-browser: test-studio programs
-	KATYDID=$(BUILT)/katydid CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e
+	export KATYDID=$(BUILT)/katydid CHROMIUM=$$(studio/chromium); \
+	half() { PORT=$$2 studio/with-node npm run e2e -- --output=test-results/$$1 --shard=$$1/2; }; \
+	half 2 6708 & second=$$!; half 1 6598; first=$$?; wait $$second && exit $$first
 	CHROMIUM=$$(studio/chromium) studio/with-node npm run e2e:viewport
 
 # Every figure of the book in Chromium: it starts, gives its numbers, and each control moves it. `make test-browser` takes a

@@ -49,7 +49,7 @@ export default defineConfig({
   snapshotPathTemplate: "{testDir}/pictures/{arg}{ext}",
   timeout: 60_000,
   expect: { timeout: 15_000, toHaveScreenshot: { maxDiffPixelRatio: 0.005 } },
-  // Two processors, one of them for the server.
+  // Two processors; `make test-browser` runs two halves side by side.
   workers: 1,
   // Where everything else runs beside it a browser can be late; what then needs a second try is named.
   retries: process.env.CI ? 2 : 0,
