@@ -10,6 +10,8 @@ const ZIP: &[u8] = b"PK\x03\x04";
 const COMPOUND: &[u8] = &[0xd0, 0xcf, 0x11, 0xe0];
 /// About how many bytes a cell takes.
 const CELL: usize = 32;
+/// A table is dense: one with a cell far out, or one long row, is refused when it would have more cells than this.
+const MOST_CELLS: usize = 20_000_000;
 
 pub(super) fn read(context: &Context<'_>, path: &str, which: &Which) -> Result<Table, Message> {
     let bytes = context.read_file(path)?;
@@ -18,7 +20,7 @@ pub(super) fn read(context: &Context<'_>, path: &str, which: &Which) -> Result<T
     } else if bytes.starts_with(COMPOUND) {
         workbook::xls(context, bytes, which)
     } else if path.trim().to_lowercase().ends_with(".csv") || path.trim().to_lowercase().ends_with(".txt") {
-        return csv(context, &bytes);
+        csv(context, &bytes)
     } else {
         return Err(Message::error(format!(
             "{path} is no spreadsheet: .xlsx, .xlsm, .xls and .csv files are read"
@@ -37,13 +39,13 @@ fn csv(context: &Context<'_>, bytes: &[u8]) -> Result<Table, Message> {
     reader.has_headers(false).flexible(true).delimiter(sign.map_or(b',', |(_, byte)| byte));
     let mut rows = Vec::new();
     for record in reader.from_reader(text.as_bytes()).records() {
-        let record = record.map_err(|error| Message::error(format!("The table cannot be read: {error}")))?;
+        let record = record.map_err(|error| Message::error(format!("it cannot be read: {error}")))?;
         context.check()?;
         context.items(record.len())?;
         context.bytes(record.len().saturating_mul(CELL))?;
         rows.push(record.iter().map(cell).collect());
     }
-    Ok(squared(rows))
+    squared(context, rows)
 }
 
 /// A number, a truth, or a text.
@@ -63,11 +65,22 @@ fn cell(field: &str) -> Cell {
     }
 }
 
+/// Asks for room for all cells of a table before it is made.
+fn fits(context: &Context<'_>, rows: usize, width: usize) -> Result<(), Message> {
+    let count = rows.saturating_mul(width);
+    if count > MOST_CELLS {
+        return Err(Message::error(format!("it cannot be read: {rows} rows of {width} cells are too many")));
+    }
+    context.items(count)?;
+    context.bytes(count.saturating_mul(CELL))
+}
+
 /// Rows of one length.
-pub(super) fn squared(mut rows: Vec<Vec<Cell>>) -> Table {
+fn squared(context: &Context<'_>, mut rows: Vec<Vec<Cell>>) -> Result<Table, Message> {
     let width = rows.iter().map(Vec::len).max().unwrap_or(0);
+    fits(context, rows.len(), width)?;
     rows.iter_mut().for_each(|row| row.resize(width, Cell::Empty));
-    Table { rows }
+    Ok(Table { rows })
 }
 
 #[cfg(feature = "spreadsheets")]
@@ -78,15 +91,13 @@ mod workbook {
     use katydid_component::{Context, Message};
     use katydid_data::DateTime;
 
-    use super::{CELL, squared};
+    use super::{CELL, fits, squared};
     use crate::tables::{Cell, Table, Which};
 
     /// All that is packed in a file may take so many bytes: more is an attack rather than a table.
     const MOST_INFLATED: u64 = 1 << 28;
     /// The cells of the largest .xls sheet, 65,536 rows of 256; the reader makes all up to the last one.
     const XLS_CELLS: usize = 65_536 * 256;
-    /// A table is dense: a sheet with one cell far out is refused when it would have more than this.
-    const MOST_CELLS: usize = 20_000_000;
 
     fn problem(why: impl std::fmt::Display) -> Message {
         Message::error(format!("it cannot be read: {why}"))
@@ -114,12 +125,7 @@ mod workbook {
             size = [size[0].max(at[0].saturating_add(1)), size[1].max(at[1].saturating_add(1))];
             found.push((at, made));
         }
-        let count = size[0].saturating_mul(size[1]);
-        if count > MOST_CELLS {
-            return Err(problem(format!("{} rows of {} cells are too many", size[0], size[1])));
-        }
-        context.items(count)?;
-        context.bytes(count.saturating_mul(CELL))?;
+        fits(context, size[0], size[1])?;
         let mut rows = vec![vec![Cell::Empty; size[1]]; size[0]];
         for ([row, column], cell) in found {
             if let Some(slot) = rows.get_mut(row).and_then(|row| row.get_mut(column)) {
@@ -165,7 +171,6 @@ mod workbook {
         if count > XLS_CELLS {
             return Err(problem("it has too many cells"));
         }
-        context.items(count)?;
         let mut rows = vec![Vec::new(); above];
         for row in range.rows() {
             context.check()?;
@@ -173,7 +178,7 @@ mod workbook {
             cells.extend(row.iter().map(|cell| made(&lent(cell))));
             rows.push(cells);
         }
-        Ok(squared(rows))
+        squared(context, rows)
     }
 
     fn lent(cell: &Data) -> DataRef<'_> {

@@ -31,6 +31,15 @@ fn signs_between_cells_are_found() {
 }
 
 #[test]
+fn one_long_row_makes_no_table_without_end() {
+    let mut text = ",".repeat(30_000);
+    text.push_str(&"\n1".repeat(30_000));
+    let (rows, said) = read("a.csv", text.as_bytes(), Value::Integer(1));
+    assert_eq!(said, "a.csv: it cannot be read: 30001 rows of 30001 cells are too many");
+    assert_eq!(rows, Vec::<String>::new());
+}
+
+#[test]
 fn cells_of_text_files_are_what_they_look_like() {
     let (_folder, files) = folder("a.csv", b"1.50,inf,true,-,1e3,,007x\n");
     let table = Trial::of("Excel Reader").default().item("a.csv").default().files(files).run();
