@@ -47,7 +47,8 @@ const page = {
 export default defineConfig({
   testDir: "e2e",
   snapshotPathTemplate: "{testDir}/pictures/{arg}{ext}",
-  timeout: 60_000,
+  // Two browsers share two processors: a bound that only a test that hangs reaches.
+  timeout: 120_000,
   expect: { timeout: 15_000, toHaveScreenshot: { maxDiffPixelRatio: 0.005 } },
   // Two processors; `make test-browser` runs two halves side by side.
   workers: 1,

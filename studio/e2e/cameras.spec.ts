@@ -75,6 +75,9 @@ test("one turn of the model is kept as a film, and the camera is back where it w
 });
 
 test("where the browser makes no films, the turn is kept as pictures", async ({ page }) => {
+  // Seventy-two pictures, drawn and packed without a graphics card: small ones, and more time than other tests have.
+  test.slow();
+  await page.setViewportSize({ width: 1280, height: 480 });
   await page.addInitScript(() => Reflect.deleteProperty(window, "MediaRecorder"));
   await openText(page, "box.kd", TEXT);
   await page.getByRole("button", { name: "Cameras" }).click();
