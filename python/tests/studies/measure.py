@@ -17,7 +17,7 @@ import time
 from conftest import plan, tables, work
 
 PROGRAM = sys.argv[1] if len(sys.argv) > 1 else "katydid"
-ITEMS = int(os.environ.get("KATYDID_STUDY_ITEMS", "3000"))
+ITEMS = int(os.environ.get("KATYDID_STUDY_ITEMS", "40000"))
 RUNS = int(os.environ.get("KATYDID_STUDY_RUNS", "3"))
 
 

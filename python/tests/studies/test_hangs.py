@@ -30,10 +30,10 @@ twice = Script @c9b2d725-6f87-4b07-af90-bd9aefef68eb(script = code, x = s) varia
 }
 after = Addition(s, 1)
 '''
-#: Twice the slider, beside a union of four hundred spheres at 3 and at 7, which takes minutes.
+#: Twice the slider, beside a union of three thousand spheres at 3 and at 7, which takes minutes.
 UNION = '''katydid 1
 s = Number Slider(1, 0..11)
-n = Expression("If(x = 3, 400, If(x = 7, 400, 2))", x = s)
+n = Expression("If(x = 3, 3000, If(x = 7, 3000, 2))", x = s)
 box = Center Box(plane((0, 0, 0)), 5, 5, 5)
 points = Populate 3D(box, n)
 balls = Sphere(points, 1.5)

@@ -8,6 +8,9 @@ use crate::kd::{own_settings, values_form, values_words};
 
 impl List {
     pub(super) fn objects(&mut self, pairs: &Pairs<'_>, old: &Object, new: &Object, title: &str) {
+        if old == new && pairs.refers_alike(new) {
+            return;
+        }
         let mut add = |kind: ChangeKind, text: String| self.add(kind, title, Some(new.id), text);
         if old.component != new.component {
             add(ChangeKind::Setting, format!("was {}", old.name));

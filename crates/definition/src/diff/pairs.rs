@@ -1,11 +1,12 @@
 //! Which object of the new document is which of the old.
 
 use std::collections::HashMap;
+use std::hash::Hash;
 
 use uuid::Uuid;
 
 use super::title;
-use crate::document::{Document, Lookup, Object, Port, Side};
+use crate::document::{Document, Lookup, Object, Port, Side, Special};
 
 /// Where a wire comes from, in terms of both documents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -41,14 +42,14 @@ impl<'a> Pairs<'a> {
             new_lookup: new.lookup(),
             titles: [titles(old), titles(new)],
         };
-        pairs.join(|object| object.id.to_string());
-        pairs.join(|object| format!("{} {}", object.component, object.nickname));
+        pairs.join(|object| object.id);
+        pairs.join(|object| (object.component, object.nickname.clone()));
         pairs
     }
 
     /// Pairs those that are still alone and have the same key, in their order.
-    fn join(&mut self, key: impl Fn(&Object) -> String) {
-        let mut waiting: HashMap<String, Vec<usize>> = HashMap::new();
+    fn join<K: Eq + Hash>(&mut self, key: impl Fn(&Object) -> K) {
+        let mut waiting: HashMap<K, Vec<usize>> = HashMap::new();
         for (at, object) in self.old.objects.iter().enumerate().rev() {
             if self.after.get(at) == Some(&None) {
                 waiting.entry(key(object)).or_default().push(at);
@@ -78,6 +79,24 @@ impl<'a> Pairs<'a> {
 
     pub(super) fn new_title(&self, at: usize) -> String {
         self.titles[1].get(at).cloned().unwrap_or_default()
+    }
+
+    /// Whether the wires into an object, and the members of a group, mean the same in both documents: an id may be another
+    /// object's, or nobody's, although the object that names it is as it was.
+    pub(super) fn refers_alike(&self, object: &Object) -> bool {
+        let same = |old: Option<usize>, new: Option<usize>| old == new.and_then(|at| self.old_of(at));
+        let wired = object.inputs.iter().flat_map(|port| &port.sources).all(|id| {
+            let (old, new) = (self.old_lookup.output(*id), self.new_lookup.output(*id));
+            same(old.map(|port| port.object), new.map(|port| port.object))
+                && old.map(|port| port.port) == new.map(|port| port.port)
+                && old.is_some() == new.is_some()
+        });
+        let Some(Special::Group(group)) = object.special() else { return wired };
+        wired
+            && group.members.iter().all(|id| {
+                let (old, new) = (self.old_lookup.object(*id), self.new_lookup.object(*id));
+                same(old, new) && old.is_some() == new.is_some()
+            })
     }
 
     /// Where a wire of the old document comes from, and what that is called.

@@ -27,9 +27,9 @@ fn key(name: &str, index: Option<i32>) -> String {
 }
 
 fn walk(old: &Chunk, new: &Chunk, path: &str, known: &dyn Fn(&str) -> bool, list: &mut Vec<Difference>) {
-    let items = |chunk: &Chunk| -> BTreeMap<String, ItemValue> {
-        chunk.items.iter().map(|item| (key(&item.name, item.index), item.value.clone())).collect()
-    };
+    if old == new {
+        return;
+    }
     let (before, after) = (items(old), items(new));
     let mut names: Vec<&String> = before.keys().chain(after.keys()).collect();
     names.sort();
@@ -40,7 +40,7 @@ fn walk(old: &Chunk, new: &Chunk, path: &str, known: &dyn Fn(&str) -> bool, list
         if a == b || known(&path) || list.len() >= MOST {
             continue;
         }
-        let text = |value: Option<&ItemValue>| value.map(value_form);
+        let text = |value: Option<&&ItemValue>| value.map(|value| value_form(value));
         list.push(Difference { path, old: text(a), new: text(b) });
     }
     let nothing = Chunk::default();
@@ -53,10 +53,17 @@ fn walk(old: &Chunk, new: &Chunk, path: &str, known: &dyn Fn(&str) -> bool, list
         if known(&path) {
             continue;
         }
-        let find = |chunk: &Chunk| -> Option<Chunk> {
-            chunk.chunks.iter().find(|inner| inner.name == name && inner.index == index).cloned()
-        };
-        let (a, b) = (find(old), find(new));
-        walk(a.as_ref().unwrap_or(&nothing), b.as_ref().unwrap_or(&nothing), &path, known, list);
+        let (a, b) = (find(old, name, index), find(new, name, index));
+        walk(a.unwrap_or(&nothing), b.unwrap_or(&nothing), &path, known, list);
     }
+}
+
+/// The items by name and index; of several alike the last.
+fn items(chunk: &Chunk) -> BTreeMap<String, &ItemValue> {
+    chunk.items.iter().map(|item| (key(&item.name, item.index), &item.value)).collect()
+}
+
+/// The first chunk of a name and index.
+fn find<'a>(chunk: &'a Chunk, name: &str, index: Option<i32>) -> Option<&'a Chunk> {
+    chunk.chunks.iter().find(|inner| inner.name == name && inner.index == index)
 }

@@ -54,6 +54,16 @@ pub(super) struct Builder<'a, 'k> {
     calls: HashMap<usize, usize>,
     pub(super) data: HashMap<u32, &'a [u8]>,
     parent: Uuid,
+    pub(super) insides: Insides,
+}
+
+/// What becomes of the insides of clusters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Insides {
+    /// Each is packed into its cluster.
+    Packed,
+    /// They are built, since their objects are what the ports of the clusters refer to, but packing them takes long.
+    Unpacked,
 }
 
 /// The text that a label is found by.
@@ -69,6 +79,7 @@ pub(super) fn build(
     module: &Module,
     known: &Known<'_>,
     parent: Option<Uuid>,
+    insides: Insides,
     faults: &mut Vec<Fault>,
 ) -> Chunk {
     let mut builder = Builder {
@@ -79,6 +90,7 @@ pub(super) fn build(
         calls: HashMap::new(),
         data: module.data.iter().map(|(n, bytes)| (*n, bytes.as_slice())).collect(),
         parent: parent.unwrap_or(derive::ROOT),
+        insides,
     };
     builder.collect(module);
     builder.resolve();
@@ -298,10 +310,9 @@ impl<'a> Builder<'a, '_> {
                 node.place = Some(place);
             }
         }
-        for at in 0..self.nodes.len() {
-            let Some(node) = self.nodes.get_mut(at) else { return };
+        for node in &mut self.nodes {
             if let Some(inside) = node.inside {
-                node.inner = Some(build(inside, self.known, Some(node.id), &mut self.faults));
+                node.inner = Some(build(inside, self.known, Some(node.id), self.insides, &mut self.faults));
             }
         }
     }

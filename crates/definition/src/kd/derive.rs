@@ -4,8 +4,13 @@ use uuid::Uuid;
 ///
 /// Two FNV-1a hashes of 64 bits with different starts, marked as a GUID of version 8 (RFC 9562, 5.8: custom).
 pub fn id(parent: Uuid, name: &str) -> Uuid {
+    of_bytes(parent, name.as_bytes())
+}
+
+/// As [`id`], of any bytes.
+pub(super) fn of_bytes(parent: Uuid, name: &[u8]) -> Uuid {
     let hash = |start: u64| {
-        let bytes = parent.as_bytes().iter().chain(name.as_bytes());
+        let bytes = parent.as_bytes().iter().chain(name);
         bytes.fold(start, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
     };
     // The second start is the first, hashed once more.

@@ -48,6 +48,11 @@ impl fmt::Display for Label {
 
 /// Whether a name can stand without quotes: words with one blank between them.
 fn is_bare(name: &str) -> bool {
+    // Most names are one plain word.
+    let plain = name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
+    if plain && name.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return !RESERVED.contains(&name) && name != "inside";
+    }
     let (tokens, faults) = lex(name);
     let Some((_, tokens)) = tokens.split_last() else { return false };
     let word = |(k, token): (usize, &super::lexer::Token<'_>)| match token.kind {

@@ -88,7 +88,7 @@ pub fn read(text: &str, catalogue: &dyn Catalogue) -> Result<Definition, Problem
             None
         }
     });
-    let root = build::build(&module, &Known(catalogue), None, &mut faults);
+    let root = build::build(&module, &Known(catalogue), None, build::Insides::Packed, &mut faults);
     if !faults.is_empty() {
         return Err(Problems::of(text, faults));
     }
@@ -138,7 +138,7 @@ fn units(name: &str) -> Option<Units> {
 
 /// The bytes of a value by a number that follows from them, so that equal ones read alike.
 fn number(bytes: &[u8]) -> u32 {
-    let id = derive::id(derive::ROOT, &format!("{bytes:?}"));
+    let id = derive::of_bytes(derive::ROOT, bytes);
     u32::try_from(id.as_u128() >> 96).unwrap_or(0)
 }
 

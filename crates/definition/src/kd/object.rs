@@ -3,7 +3,7 @@
 use uuid::Uuid;
 
 use super::ast::{Group, Modifier, Target, Values};
-use super::build::{Builder, Node, What};
+use super::build::{Builder, Insides, Node, What};
 use super::problem::Fault;
 use super::slot::Slot;
 use super::{own, residue, timing, value};
@@ -25,7 +25,7 @@ pub(super) fn chunks(builder: &mut Builder<'_, '_>, order: &[usize]) -> Vec<Chun
         let (settings, details) = (node.settings, node.details);
         let mut faults = Vec::new();
         let data = |n: u32| builder.data.get(&n).copied();
-        let mut chunk = build(node, &sources, &members, &data, &mut faults);
+        let mut chunk = build(node, &sources, &members, builder.insides, &data, &mut faults);
         builder.faults.append(&mut faults);
         chunk.index = Some(number);
         residue::sort(&mut chunk);
@@ -74,6 +74,7 @@ fn build(
     node: &Node<'_>,
     sources: &[Vec<Uuid>],
     members: &[Uuid],
+    insides: Insides,
     data: &value::Data<'_>,
     faults: &mut Vec<Fault>,
 ) -> Chunk {
@@ -154,11 +155,13 @@ fn build(
     }
     if let Some(inner) = &node.inner {
         hooks(&mut container, node, inner);
-        match archive::write_gh(inner) {
-            Ok(bytes) => container.set("ClusterDocument", ItemValue::ByteArray(bytes)),
-            Err(error) => {
-                let span = if let What::Call(call) = node.what { call.span } else { Default::default() };
-                faults.push(Fault::new(span.at, span.len, format!("the cluster {error}")));
+        if insides == Insides::Packed {
+            match archive::write_gh(inner) {
+                Ok(bytes) => container.set("ClusterDocument", ItemValue::ByteArray(bytes)),
+                Err(error) => {
+                    let span = if let What::Call(call) = node.what { call.span } else { Default::default() };
+                    faults.push(Fault::new(span.at, span.len, format!("the cluster {error}")));
+                }
             }
         }
     }

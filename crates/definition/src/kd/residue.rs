@@ -10,22 +10,25 @@ pub(super) fn sort(chunk: &mut Chunk) {
     chunk.chunks.iter_mut().for_each(sort);
 }
 
-/// Numbers those that share name and index. The list must be sorted.
-fn steps<'a, T>(list: &'a [T], key: impl Fn(&'a T) -> (&'a str, Option<i32>)) -> Vec<(Step, &'a T)> {
-    let mut steps: Vec<(Step, &T)> = Vec::with_capacity(list.len());
-    for entry in list {
-        let (name, index) = key(entry);
-        let nth = match steps.last() {
-            Some((last, _)) if last.name == name && last.index == index => last.nth + 1,
+/// What an entry of a sorted list is found by: its name, its index, and which of those alike it is.
+type Key<'a> = (&'a str, Option<i32>, usize);
+
+/// Each entry of a sorted list with its key.
+fn keyed<'a, T>(
+    list: &'a [T],
+    name: impl Fn(&'a T) -> (&'a str, Option<i32>),
+) -> impl Iterator<Item = (Key<'a>, &'a T)> {
+    let mut last: Option<Key<'a>> = None;
+    list.iter().map(move |entry| {
+        let (name, index) = name(entry);
+        let nth = match last {
+            Some((other, at, nth)) if other == name && at == index => nth + 1,
             _ => 0,
         };
-        steps.push((Step { name: name.to_owned(), index, nth }, entry));
-    }
-    steps
-}
-
-fn order(a: &Step, b: &Step) -> std::cmp::Ordering {
-    (&a.name, a.index, a.nth).cmp(&(&b.name, b.index, b.nth))
+        let key = (name, index, nth);
+        last = Some(key);
+        (key, entry)
+    })
 }
 
 /// The changes that make `to` of `from`. Both must be sorted.
@@ -36,69 +39,69 @@ pub(super) fn diff(from: &Chunk, to: &Chunk) -> Vec<Edit> {
 }
 
 /// Walks two sorted lists side by side.
-fn pairs<'a, T>(
-    from: Vec<(Step, &'a T)>,
-    to: Vec<(Step, &'a T)>,
-    mut each: impl FnMut(Step, Option<&'a T>, Option<&'a T>),
+fn pairs<'a, T: 'a>(
+    from: impl Iterator<Item = (Key<'a>, &'a T)>,
+    to: impl Iterator<Item = (Key<'a>, &'a T)>,
+    mut each: impl FnMut(Key<'a>, Option<&'a T>, Option<&'a T>),
 ) {
-    let (mut from, mut to) = (from.into_iter().peekable(), to.into_iter().peekable());
+    let (mut from, mut to) = (from.peekable(), to.peekable());
     loop {
         let side = match (from.peek(), to.peek()) {
-            (Some((a, _)), Some((b, _))) => order(a, b),
+            (Some((a, _)), Some((b, _))) => a.cmp(b),
             (Some(_), None) => std::cmp::Ordering::Less,
             (None, Some(_)) => std::cmp::Ordering::Greater,
             (None, None) => return,
         };
         let old = if side.is_le() { from.next() } else { None };
         let new = if side.is_ge() { to.next() } else { None };
-        let (old_step, old) = old.unzip();
-        let (new_step, new) = new.unzip();
-        if let Some(step) = new_step.or(old_step) {
-            each(step, old, new);
+        if let Some((key, _)) = new.or(old) {
+            each(key, old.map(|(_, entry)| entry), new.map(|(_, entry)| entry));
         }
     }
 }
 
-fn walk(from: &Chunk, to: &Chunk, path: &mut Vec<Step>, edits: &mut Vec<Edit>) {
+/// The path of an entry: names are written down only where something differs.
+fn path_to(parents: &[Key<'_>], last: Key<'_>) -> Vec<Step> {
+    let step = |(name, index, nth): &Key<'_>| Step { name: (*name).to_owned(), index: *index, nth: *nth };
+    parents.iter().chain([&last]).map(step).collect()
+}
+
+fn walk<'a>(from: &'a Chunk, to: &'a Chunk, path: &mut Vec<Key<'a>>, edits: &mut Vec<Edit>) {
     let mut removed = Vec::new();
-    pairs(items(from), items(to), |step, old: Option<&Item>, new: Option<&Item>| {
-        let mut path = path.clone();
-        path.push(step);
-        match (old, new) {
-            (Some(old), Some(new)) if old.value == new.value => {}
-            (_, Some(new)) => {
-                edits.push(Edit::new(path, Change::Set(RawValue::Value(new.value.clone()))));
-            }
-            (Some(_), None) => removed.push(Edit::new(path, Change::Remove)),
-            (None, None) => {}
+    pairs(items(from), items(to), |key, old: Option<&Item>, new: Option<&Item>| match (old, new) {
+        (Some(old), Some(new)) if old.value == new.value => {}
+        (_, Some(new)) => {
+            let change = Change::Set(RawValue::Value(new.value.clone()));
+            edits.push(Edit::new(path_to(path, key), change));
         }
+        (Some(_), None) => removed.push(Edit::new(path_to(path, key), Change::Remove)),
+        (None, None) => {}
     });
-    pairs(chunks(from), chunks(to), |step, old: Option<&Chunk>, new: Option<&Chunk>| {
-        path.push(step);
-        match (old, new) {
-            (Some(old), Some(new)) => walk(old, new, path, edits),
-            (None, Some(new)) => {
-                if new.items.is_empty() && new.chunks.is_empty() {
-                    edits.push(Edit::new(path.clone(), Change::Add));
-                } else {
-                    walk(&Chunk::default(), new, path, edits);
-                }
-            }
-            (Some(_), None) => removed.push(Edit::new(path.clone(), Change::RemoveChunk)),
-            (None, None) => {}
+    pairs(chunks(from), chunks(to), |key, old: Option<&'a Chunk>, new: Option<&'a Chunk>| match (old, new) {
+        (None, Some(new)) if new.items.is_empty() && new.chunks.is_empty() => {
+            edits.push(Edit::new(path_to(path, key), Change::Add));
         }
-        path.pop();
+        (old, Some(new)) => {
+            path.push(key);
+            walk(old.unwrap_or(&EMPTY), new, path, edits);
+            path.pop();
+        }
+        (Some(_), None) => removed.push(Edit::new(path_to(path, key), Change::RemoveChunk)),
+        (None, None) => {}
     });
     // Backwards: of several alike the last goes first, so that the others keep their numbers.
     edits.extend(removed.into_iter().rev());
 }
 
-fn items(chunk: &Chunk) -> Vec<(Step, &Item)> {
-    steps(&chunk.items, |item| (&item.name, item.index))
+/// What a chunk that was not there is compared with.
+static EMPTY: Chunk = Chunk { name: String::new(), index: None, items: Vec::new(), chunks: Vec::new() };
+
+fn items(chunk: &Chunk) -> impl Iterator<Item = (Key<'_>, &Item)> {
+    keyed(&chunk.items, |item| (&item.name, item.index))
 }
 
-fn chunks(chunk: &Chunk) -> Vec<(Step, &Chunk)> {
-    steps(&chunk.chunks, |chunk| (&chunk.name, chunk.index))
+fn chunks(chunk: &Chunk) -> impl Iterator<Item = (Key<'_>, &Chunk)> {
+    keyed(&chunk.chunks, |chunk| (&chunk.name, chunk.index))
 }
 
 /// The most chunks that may stand inside each other.

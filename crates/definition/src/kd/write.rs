@@ -6,7 +6,7 @@ use std::sync::Arc;
 use uuid::Uuid;
 
 use super::ast::{Change, Edit, RawValue};
-use super::build::{base, build};
+use super::build::{Insides, base, build};
 use super::catalogue::{Catalogue, Facts, Known};
 use super::labels::{self, Label};
 use super::statement::{Names, inner_names};
@@ -294,7 +294,11 @@ impl<'a, 'k> Sheet<'a, 'k> {
 
     /// The lines of some changes.
     fn block(&mut self, edits: &[Edit]) -> String {
-        edits.iter().map(|edit| edit_line(edit, &mut |bytes| self.data.keep(bytes)) + "\n").collect()
+        let mut lines = String::new();
+        for edit in edits {
+            edit_line(&mut lines, edit, &mut |bytes| self.data.keep(bytes));
+        }
+        lines
     }
 
     /// Builds the draft and says what is missing: in the statements, in the details, around the objects.
@@ -303,7 +307,8 @@ impl<'a, 'k> Sheet<'a, 'k> {
         let mut faults = Vec::new();
         let module =
             parser::parse(draft).map_err(|faults| broken(super::Problems::of(draft, faults).to_string()))?;
-        let mut built = build(&module, self.known, self.parent, &mut faults);
+        // The inside of a cluster has said by itself what is missing there.
+        let mut built = build(&module, self.known, self.parent, Insides::Unpacked, &mut faults);
         if !faults.is_empty() {
             return Err(broken(super::Problems::of(draft, faults).to_string()));
         }
@@ -439,32 +444,40 @@ fn is_quiet(edit: &Edit) -> bool {
     slider || PORTS.contains(&first.name.as_str()) || LOOKS.contains(&first.name.as_str())
 }
 
-/// One change as a line.
-fn edit_line(edit: &Edit, keep: &mut dyn FnMut(&[u8]) -> u32) -> String {
-    let mut path = if edit.top { "/".to_owned() } else { String::new() };
+/// Writes one change as a line.
+fn edit_line(line: &mut String, edit: &Edit, keep: &mut dyn FnMut(&[u8]) -> u32) {
+    line.push_str(match &edit.change {
+        Change::Add => "+ ",
+        Change::Remove | Change::RemoveChunk => "- ",
+        Change::Set(_) => "",
+    });
+    if edit.top {
+        line.push('/');
+    }
     for (k, step) in edit.path.iter().enumerate() {
         if k > 0 {
-            path.push('/');
+            line.push('/');
         }
-        path.push_str(&labels::one_word(&step.name));
+        line.push_str(&labels::one_word(&step.name));
         if let Some(index) = step.index {
-            path.push_str(&format!("[{index}]"));
+            line.push_str(&format!("[{index}]"));
         }
         if step.nth > 0 {
-            path.push_str(&format!("~{}", step.nth));
+            line.push_str(&format!("~{}", step.nth));
         }
     }
     match &edit.change {
-        Change::Add => format!("+ {path}/"),
-        Change::Remove => format!("- {path}"),
-        Change::RemoveChunk => format!("- {path}/"),
+        Change::Add | Change::RemoveChunk => line.push('/'),
+        Change::Remove => {}
         Change::Set(RawValue::Value(value)) => {
             let name = edit.path.last().map_or("", |step| step.name.as_str());
-            format!("{path} = {}", raw_value::print(value, name, 0, keep))
+            line.push_str(" = ");
+            line.push_str(&raw_value::print(value, name, 0, keep));
         }
-        Change::Set(RawValue::Bytes(n)) => format!("{path} = bytes ${n}"),
-        Change::Set(RawValue::Bitmap(n)) => format!("{path} = bitmap ${n}"),
+        Change::Set(RawValue::Bytes(n)) => line.push_str(&format!(" = bytes ${n}")),
+        Change::Set(RawValue::Bitmap(n)) => line.push_str(&format!(" = bitmap ${n}")),
     }
+    line.push('\n');
 }
 
 /// Bytes as lines of base64.
