@@ -7,6 +7,9 @@ import { expect, test } from "./test";
 
 const TEXT = "katydid 1\nbox = Domain Box(plane((0, 0, 0)), 0..4, 0..3, 0..2)\n";
 
+/** What a film may take, in milliseconds; an action of the browser has less. */
+const FILMED = 100_000;
+
 /** Where a corner of the box is in the picture. */
 const corner = (page: import("@playwright/test").Page) => page.evaluate(() => window.__studio?.viewport?.place([4, 3, 2])?.map(Math.round));
 
@@ -62,7 +65,7 @@ test("one turn of the model is kept as a film, and the camera is back where it w
   await openText(page, "box.kd", TEXT);
   await page.getByRole("button", { name: "Cameras" }).click();
   const before = await corner(page);
-  const download = page.waitForEvent("download");
+  const download = page.waitForEvent("download", { timeout: FILMED });
   await page.getByRole("button", { name: "Film of a turn" }).click();
   await expect.poll(() => corner(page)).not.toEqual(before);
   const film = await download;
@@ -75,13 +78,13 @@ test("one turn of the model is kept as a film, and the camera is back where it w
 });
 
 test("where the browser makes no films, the turn is kept as pictures", async ({ page }) => {
-  // Seventy-two pictures, drawn and packed without a graphics card: small ones, and more time than other tests have.
+  // Seventy-two pictures, drawn and packed without a graphics card: small ones, and more time than an action has.
   test.slow();
   await page.setViewportSize({ width: 1280, height: 480 });
   await page.addInitScript(() => Reflect.deleteProperty(window, "MediaRecorder"));
   await openText(page, "box.kd", TEXT);
   await page.getByRole("button", { name: "Cameras" }).click();
-  const download = page.waitForEvent("download");
+  const download = page.waitForEvent("download", { timeout: FILMED });
   await page.getByRole("button", { name: "Film of a turn" }).click();
   const film = await download;
   expect(film.suggestedFilename()).toBe("model.zip");
