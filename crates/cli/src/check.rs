@@ -247,11 +247,13 @@ fn print(results: &[(PathBuf, Result<Check, String>)]) {
         objects += result.as_ref().map_or(0, |check| check.objects);
     }
     if results.len() > 1 {
-        let share = if objects == 0 { 100.0 } else { 100.0 * (objects - missing) as f64 / objects as f64 };
-        say(&format!(
-            "{} files, {runnable} run whole; {} of {objects} objects are supported ({share:.1} %)",
-            results.len(),
-            objects - missing
-        ));
+        let supported = match objects {
+            0 => "no objects in them".to_owned(),
+            _ => {
+                let share = 100.0 * (objects - missing) as f64 / objects as f64;
+                format!("{} of {objects} objects are supported ({share:.1} %)", objects - missing)
+            }
+        };
+        say(&format!("{} files, {runnable} run whole; {supported}", results.len()));
     }
 }
