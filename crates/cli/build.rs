@@ -44,6 +44,10 @@ fn links_with(option: &str) -> bool {
     let flags = std::env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
     command.args(flags.split('\u{1f}').filter(|flag| !flag.is_empty()));
     command.args(["--edition=2024", "--target", &target, "-C"]).arg(format!("link-arg={option}"));
+    // The linker that cargo was told to use, where it was.
+    if let Ok(linker) = std::env::var("RUSTC_LINKER") {
+        command.arg("-C").arg(format!("linker={linker}"));
+    }
     command.arg("-o").arg(program).arg(source);
     command.output().is_ok_and(|output| output.status.success())
 }
