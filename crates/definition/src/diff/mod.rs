@@ -182,3 +182,34 @@ fn title(object: &Object) -> String {
     let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).take(80).collect();
     if name == object.name || object.name.is_empty() { name } else { format!("{name} ({})", object.name) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Options, compare};
+    use crate::kd::{NoCatalogue, read};
+
+    #[test]
+    fn what_an_unchanged_object_refers_to_may_be_gone() {
+        let text = "r = Number Slider(5, 0..10)\ns = Number Slider(6, 0..10)\nshown = Panel(r)\nother = Panel(s)\ngroup both: r, s\n";
+        let old = read(text, &NoCatalogue).unwrap().document;
+        let mut new = old.clone();
+        new.objects.remove(0);
+        let told = |a, b| -> Vec<String> {
+            compare(a, b, &Options::default()).iter().map(ToString::to_string).collect()
+        };
+        // The panel and the group are as they were, and name an id that is nobody's.
+        let gone = told(&old, &new);
+        for words in
+            ["shown (Panel): rewired from r to nothing", "both (Group): r (Number Slider) left the group"]
+        {
+            assert!(gone.iter().any(|line| line == words), "{gone:#?}");
+        }
+        let come = told(&new, &old);
+        for words in
+            ["shown (Panel): rewired from nothing to r", "both (Group): r (Number Slider) joined the group"]
+        {
+            assert!(come.iter().any(|line| line == words), "{come:#?}");
+        }
+        assert!(told(&old, &old.clone()).is_empty());
+    }
+}
