@@ -3,7 +3,9 @@
 use katydid_elementary::Elementary;
 
 use super::proof::Box4;
-use super::thresholds::{ABOVE_NOISE, ASIDE, BESIDE, COARSEST, LONGEST, RATE, REACH, SHORTEST, SLOWEST};
+use super::thresholds::{
+    ABOVE_NOISE, ASIDE, BESIDE, COARSEST, LONGEST, RATE, REACH, SAME_PLACE, SHORTEST, SLOWEST,
+};
 use super::{Condition, Four, Pair, Place};
 use crate::{Result, Vector3, cancellation};
 
@@ -82,6 +84,14 @@ impl Followed {
         self.steps.iter().any(|s| s.holds(x, point))
     }
 
+    /// As [`Self::holds`] of a common point that is no end of the curve.
+    pub(crate) fn passes(&self, pair: &Pair<'_>, x: Four, point: Vector3) -> bool {
+        let near = SAME_PLACE * pair.size();
+        let ends = [self.places.first(), self.places.last()];
+        let is_end = ends.into_iter().flatten().any(|end| (end.point - point).length() <= near);
+        !(is_end && self.ends != [End::Closed; 2]) && self.holds(x, point)
+    }
+
     /// Whether the curve is seen to run through a box of parameters.
     pub(crate) fn enters(&self, b: &Box4) -> bool {
         self.steps.iter().zip(self.places.windows(2)).any(|(step, w)| {
@@ -113,7 +123,9 @@ pub(crate) fn followed(pair: &Pair<'_>, start: Place, limits: &Limits) -> Result
     places.append(&mut forwards);
     before.reverse();
     before.append(&mut steps);
-    Ok(Followed { places, steps: before, ends: [begin, end] })
+    // From a place on a side it may close the one way only.
+    let ends = if begin == End::Closed { [begin; 2] } else { [begin, end] };
+    Ok(Followed { places, steps: before, ends })
 }
 
 /// Adds the places that follow the first, along its tangent or against it.
@@ -129,16 +141,26 @@ fn one_way(
         return Ok(End::Border);
     }
     let mut length = 0.1 * limits.longest;
+    // Where a curve comes in through a side and soon leaves by it again, a step may end where it came in.
+    let mut came_back = false;
     while places.len() < limits.most {
         cancellation::check()?;
         let Some(&from) = places.last() else { break };
         let Some(step) = attempted(pair, &from, sign, length, limits) else {
             length *= 0.4;
             if length < limits.shortest {
-                return Ok(End::Stuck);
+                return Ok(if came_back { End::Border } else { End::Stuck });
             }
             continue;
         };
+        came_back = step.to_start;
+        if came_back {
+            length *= 0.4;
+            if length < limits.shortest {
+                return Ok(End::Border);
+            }
+            continue;
+        }
         steps.push(step.proved);
         // The step's box holds one point a plane, so that the start, if it is in it, lies on this very piece.
         if places.len() > 2 && step.proved.holds(start.x, start.point) {
@@ -146,7 +168,7 @@ fn one_way(
             return Ok(End::Closed);
         }
         places.push(step.to);
-        if step.at_border {
+        if step.at_border || leads_out(pair, &step.to, sign) {
             return Ok(End::Border);
         }
         length = (length * step.growth).min(limits.longest);
@@ -154,7 +176,7 @@ fn one_way(
     Ok(End::Stuck)
 }
 
-/// Whether the curve leaves a domain at a place on its side.
+/// Whether the curve leaves a domain at a place on its side; run the other way it comes in there.
 fn leads_out(pair: &Pair<'_>, place: &Place, sign: f64) -> bool {
     (0..4).any(|k| {
         let domain = pair.domain(k);
@@ -170,6 +192,8 @@ struct Step {
     to: Place,
     proved: Proved,
     at_border: bool,
+    /// Whether it ends where the curve came in through a side.
+    to_start: bool,
     /// The step after it may be longer by this factor.
     growth: f64,
 }
@@ -197,6 +221,7 @@ fn attempted(pair: &Pair<'_>, from: &Place, sign: f64, length: f64, limits: &Lim
     if arc <= limits.shortest && !at_border {
         return None;
     }
+    let to_start = arc <= limits.shortest && leads_out(pair, from, -sign);
     // The middle of the cubics must lie on the curve.
     let cubic = Cubic { from, to: &to, length: sign * arc };
     let middle = cubic.parameters(0.5);
@@ -227,7 +252,7 @@ fn attempted(pair: &Pair<'_>, from: &Place, sign: f64, length: f64, limits: &Lim
     }
     let growth = (0.3 * limits.tolerance / miss.max(f64::MIN_POSITIVE)).raised_to(0.25).clamp(0.5, 2.0);
     let proved = Proved { bounds, through: from.point, across: along, reach };
-    Some(Step { to, proved, at_border, growth })
+    Some(Step { to, proved, at_border, to_start, growth })
 }
 
 /// A box of a step of a length with room on all sides: a curve that leaves a thin box between the places that were looked at

@@ -50,6 +50,36 @@ impl Curves {
         Ok(())
     }
 
+    /// Drops what begins and ends on a seam where another curve passes: a step may go over a seam and back by less than what
+    /// is seen between its places.
+    fn drop_held_at_seams(&mut self, pair: &Pair<'_>) {
+        let is_held = |own: usize, place: &Place| {
+            let others = || self.found.iter().enumerate().filter(|(k, _)| *k != own).map(|(_, c)| c);
+            let across = |k: usize| {
+                let (domain, x) = (pair.domain(k), place.x[k]);
+                pair.charts[k / 2].period(k % 2)?;
+                let mut image = place.x;
+                image[k] = if x <= domain.start + pair.slack(k) {
+                    domain.end
+                } else if x >= domain.end - pair.slack(k) {
+                    domain.start
+                } else {
+                    return None;
+                };
+                Some(image)
+            };
+            (0..4).filter_map(across).any(|x| others().any(|c| c.passes(pair, x, place.point)))
+        };
+        let doubles: Vec<bool> = (self.found.iter().enumerate())
+            .map(|(k, c)| {
+                let ends = [c.places.first(), c.places.last()];
+                c.ends == [End::Border; 2] && ends.into_iter().flatten().all(|end| is_held(k, end))
+            })
+            .collect();
+        let mut doubles = doubles.into_iter();
+        self.found.retain(|_| !doubles.next().unwrap_or(false));
+    }
+
     /// Follows the curve through a common point near parameters, unless it is known. Whether there is such a point.
     fn add(&mut self, search: &Search<'_>, near: Four, condition: Condition) -> Result<bool> {
         let pair = search.pair;
@@ -101,6 +131,7 @@ impl Curves {
                 stack.append(&mut parts);
             }
         }
+        self.drop_held_at_seams(&search.pair);
         Ok(())
     }
 

@@ -296,3 +296,32 @@ fn where_speed_leaps_nothing_is_undecided() {
         }
     }
 }
+
+#[test]
+fn a_loop_whose_edge_just_crosses_a_seam_is_one_loop() {
+    let (r, c) = (0.75, 1.3);
+    let ball = Sphere::new(Plane::XY.with_origin(Point3::new(c, 0.0, 0.1)), r).unwrap();
+    let ball = Surface::from(ball.to_revolution()).to_nurbs().unwrap();
+    // The rulings that touch the ball stand at these angles.
+    let edge = ((1.0 + c * c - r * r) / (2.0 * c)).acos();
+    let length = |seam: f64| {
+        let axis = Plane::from_axes(
+            Point3::new(0.0, 0.0, -2.0),
+            Vector3::new(seam.cos(), seam.sin(), 0.0),
+            Vector3::new(-seam.sin(), seam.cos(), 0.0),
+        );
+        let wall = Cylinder::new(axis.unwrap(), 1.0, Interval::new(0.0, 4.0)).unwrap();
+        let wall = Surface::from(wall.to_revolution()).to_nurbs().unwrap();
+        let met = meet(&ball, &wall);
+        assert!(met.complete && met.contacts.is_empty(), "{seam}");
+        assert_eq!(counts(&met), [1, 0], "{seam}");
+        met.branches[0].curve.length()
+    };
+    let want = length(3.0);
+    for beyond in [0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-10, 1e-12] {
+        for seam in [edge - beyond, beyond - edge, edge + beyond] {
+            let found = length(seam);
+            assert!((found - want).abs() < 1e-4, "{seam} {found} {want}");
+        }
+    }
+}
