@@ -34,7 +34,7 @@ pub(super) fn refuse_dividing(
         let tangent = seen.len() == 2 && seen.iter().all(|(_, found)| *found == Containment::On);
         let wrong = seen.iter().any(|&(told, found)| told != found && told != Containment::On);
         if wrong && !tangent {
-            return Err(all.refuse(RefusalClass::NearCoincidence, &[face], pieces.middle(piece)));
+            return Err(all.refuse(RefusalClass::UnclosedSplit, &[face], pieces.middle(piece)));
         }
     }
     Ok(())

@@ -9,6 +9,10 @@
 //! boundary lies on one side of it, which rays tell. (7) A region belongs to the result where what is asked for differs on
 //! its two sides. (8) Chosen regions are sewn along their pieces, and the shells are checked.
 //!
+//! What lies within the tolerance by chance, such as a corner of one operand beside a seam of another, may be taken as one
+//! here and as two there, and then nothing sound comes of it. The tolerance is the most that may be taken as one: where
+//! decisions at it contradict each other, they are made at a finer one, unless faces are one at the tolerance alone.
+//!
 //! After the general fuse of Open CASCADE (*Boolean Operations*, specification) in its stages; selection by both sides of
 //! a region is derived, and makes the order of operands not matter.
 
@@ -17,6 +21,7 @@ mod aside;
 mod audit;
 mod cells;
 mod interferences;
+mod level;
 #[cfg(test)]
 mod more_tests;
 mod operands;
@@ -39,16 +44,12 @@ mod vertices;
 pub use crate::error::{FaceName, Refusal, RefusalClass};
 pub use report::{Decision, DecisionKind};
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
 
 use crate::error::refusal;
-use crate::{Brep, Curve, Result, Tolerance, cancellation};
-use cells::{Beside, Sheet};
-use operands::Operands;
-use pieces::Pieces;
-use regions::Region;
-use shells::{Chosen, Shells};
-use sides::{Inside, Sides};
+use crate::{Brep, Curve, Error, Result, Tolerance};
+use level::{Failed, Level};
+use thresholds::FINER;
 
 /// A brep that a boolean made.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,11 +81,12 @@ pub struct FacePart<'a> {
 /// Operands fused: all their faces cut along each other, ready to be asked for any combination of them.
 #[derive(Debug)]
 pub struct Fuse {
-    all: Operands,
-    pieces: Pieces,
-    regions: Vec<Region>,
-    sheets: Vec<Sheet>,
-    beside: Vec<Beside>,
+    level: Level,
+    /// The parts of the tolerance that are left to try.
+    left: &'static [f64],
+    /// The distance of which `left` are parts.
+    limit: f64,
+    finer: OnceLock<Option<Box<Fuse>>>,
 }
 
 impl Fuse {
@@ -100,20 +102,48 @@ impl Fuse {
     /// As [`Fuse::new`], of operands that stand in several places.
     fn of(breps: &[&Brep], tolerance: &Tolerance) -> Result<Self> {
         let limit = tolerance.positive_distance()?;
-        let mut all = Operands::new(breps, limit)?;
-        let pairs = interferences::face_pairs(&all)?;
-        interferences::meet_edges(&mut all, &pairs)?;
-        let found = sections::sections(&mut all, &pairs)?;
-        let found = sections::pieces(&mut all, found)?;
-        let mut pieces = Pieces::new(&all, found, &pairs)?;
-        let regions::Cut { mut regions, idle } = regions::all_regions(&all, &pieces)?;
-        cancellation::check_now()?;
-        let (sheets, beside) = cells::sheets(&all, &pieces, &regions, &idle)?;
-        // No face or region is asked any more whether it covers a place: of many operands that is as much as the results.
-        all.faces.iter_mut().for_each(operands::Face::forget_outlines);
-        regions.iter_mut().for_each(Region::forget_outlines);
-        pieces.forget_ends();
-        Ok(Self { all, pieces, regions, sheets, beside })
+        Self::within(breps, limit, limit, &FINER)
+    }
+
+    /// Operands fused within a distance, or within the first of the parts `left` of the tolerance that is finer and does.
+    fn within(breps: &[&Brep], distance: f64, limit: f64, left: &'static [f64]) -> Result<Self> {
+        match Level::of(breps, distance) {
+            Ok(level) => Ok(Self { level, left, limit, finer: OnceLock::new() }),
+            Err(Failed { why, gap }) => match finer(left, limit, &why, gap) {
+                // What is refused is told as it is at the tolerance of the call.
+                Some((distance, left)) => {
+                    Self::within(breps, distance, limit, left).map_err(|e| told(why, e))
+                }
+                None => Err(why),
+            },
+        }
+    }
+
+    /// Asks the operands fused at the tolerance, and where the answer is not sound those at finer ones.
+    fn ask<T>(&self, question: &impl Fn(&Level) -> Result<T>) -> Result<T> {
+        let why = match question(&self.level) {
+            Err(why) => why,
+            answered => return answered,
+        };
+        let Some((distance, left)) = finer(self.left, self.limit, &why, self.level.gap()) else {
+            return Err(why);
+        };
+        let made = self.finer.get_or_init(|| {
+            let breps: Vec<&Brep> = self.level.operands().collect();
+            Self::within(&breps, distance, self.limit, left).ok().map(Box::new)
+        });
+        match made {
+            Some(fuse) => fuse.ask(question).map_err(|e| told(why, e)),
+            None => Err(why),
+        }
+    }
+
+    /// What was asked last: the finest that was needed.
+    fn last(&self) -> &Level {
+        match self.finer.get() {
+            Some(Some(fuse)) => fuse.last(),
+            _ => &self.level,
+        }
     }
 
     /// The solids of all points for which `wanted` says yes: it is asked with, for every operand, whether a point lies
@@ -122,15 +152,7 @@ impl Fuse {
     /// # Errors
     /// [`Error::Refused`](crate::Error::Refused): an operand is not closed, or the parts do not make sound solids.
     pub fn solids(&self, wanted: impl Fn(&[bool]) -> bool) -> Result<Vec<Made>> {
-        if let Some(open) = self.all.solids.iter().position(|s| !s.closed) {
-            let name = FaceName { operand: open, face: 0 };
-            return Err(Refusal::at(RefusalClass::OpenOperand, &[name], None));
-        }
-        let chosen: Vec<Chosen> = self.sheets.iter().filter_map(|s| self.chosen(s, &wanted)).collect();
-        if chosen.is_empty() {
-            return Ok(Vec::new());
-        }
-        self.shells(&chosen).solids()
+        self.ask(&|level| level.solids(&wanted))
     }
 
     /// As [`Fuse::solids`] where operands may be open: an open one is taken to fill what lies behind it, on the side away
@@ -140,28 +162,7 @@ impl Fuse {
     /// [`Error::Refused`](crate::Error::Refused): an open operand ends inside another one, so that it does not divide it,
     /// or as for [`Fuse::solids`].
     pub fn oriented(&self, wanted: impl Fn(&[bool]) -> bool) -> Result<Vec<Made>> {
-        if self.all.solids.iter().all(|s| s.closed) {
-            return self.solids(wanted);
-        }
-        let sheets = self.with_open()?;
-        let chosen: Vec<Chosen> = sheets.iter().filter_map(|s| self.chosen(s, &wanted)).collect();
-        let naked = self.naked_pieces();
-        self.shells(&chosen).open_or_closed(|piece| naked.contains(&piece))
-    }
-
-    /// A sheet as a part of the boundary of what is wanted, if what is wanted differs on its two sides.
-    fn chosen(&self, sheet: &Sheet, wanted: impl Fn(&[bool]) -> bool) -> Option<Chosen> {
-        let Sides { behind, before } = &sheet.sides;
-        match (wanted(&self.dense(behind)), wanted(&self.dense(before))) {
-            (true, false) => Some(Chosen { region: sheet.region, flipped: false }),
-            (false, true) => Some(Chosen { region: sheet.region, flipped: true }),
-            _ => None,
-        }
-    }
-
-    /// For every operand whether it holds a place.
-    fn dense(&self, inside: &Inside) -> Vec<bool> {
-        inside.of_all(self.all.solids.len())
+        self.ask(&|level| level.oriented(&wanted))
     }
 
     /// The faces of one operand that lie in none of the others, apart where they are cut. What an open one has behind it
@@ -170,52 +171,13 @@ impl Fuse {
     /// # Errors
     /// [`Error::Refused`](crate::Error::Refused): the parts are not sound.
     pub fn outside_of_others(&self, operand: usize) -> Result<Vec<Made>> {
-        let sheets = self.with_open()?;
-        let chosen: Vec<Chosen> = (self.regions.iter().enumerate())
-            .filter(|(_, r)| self.all.faces.get(r.face).map(|f| f.solid) == Some(operand))
-            .filter(|(region, _)| {
-                let own = sheets.iter().find(|s| s.region == *region);
-                let inside =
-                    |k: usize, s: &Sheet| k != operand && s.sides.behind.has(k) && s.sides.before.has(k);
-                // A region that lies upon another operand's is outside of it.
-                own.is_none_or(|s| !(0..self.all.solids.len()).any(|k| inside(k, s)))
-            })
-            .map(|(region, _)| Chosen { region, flipped: false })
-            .collect();
-        let found = self.shells(&chosen).faces(self.cut_at(operand))?;
-        Ok(found.into_iter().map(|(_, made)| made).collect())
-    }
-
-    fn with_open(&self) -> Result<Vec<Sheet>> {
-        let every = oriented::every(&self.sheets);
-        oriented::with_open(&self.shells(&every), &self.sheets)
-    }
-
-    /// The pieces of edges that one face of an open operand has alone.
-    fn naked_pieces(&self) -> BTreeSet<usize> {
-        let mut uses: BTreeMap<usize, usize> = BTreeMap::new();
-        let open = |solid: usize| self.all.solids.get(solid).is_some_and(|s| !s.closed);
-        for face in self.all.faces.iter().filter(|f| open(f.solid)) {
-            for (edge, _) in face.loops.iter().flatten().filter_map(|bound| bound.edge) {
-                *uses.entry(edge).or_default() += 1;
-            }
-        }
-        let alone = uses.into_iter().filter(|(_, count)| *count == 1);
-        alone.filter_map(|(edge, _)| self.pieces.of_edge.get(edge)).flatten().map(|p| p.piece).collect()
-    }
-
-    /// Whether faces of an operand are cut along a piece.
-    fn cut_at(&self, operand: usize) -> impl Fn(usize) -> bool {
-        move |piece| self.pieces.list.get(piece).is_some_and(|p| p.solids.iter().any(|s| *s != operand))
+        self.ask(&|level| level.outside_of_others(operand))
     }
 
     /// The curves in which the boundaries of operands meet: where faces cross or touch, and the edges of one that lie on
     /// another.
     pub fn curves(&self) -> Vec<CommonCurve> {
-        let common = self.pieces.list.iter().filter(|p| p.solids.len() > 1);
-        common
-            .map(|p| CommonCurve { operands: p.solids.iter().copied().collect(), curve: p.curve.clone() })
-            .collect()
+        self.last().curves()
     }
 
     /// The parts of faces for which `wanted` says yes, each asked once though it may lie on several operands; those that
@@ -223,19 +185,8 @@ impl Fuse {
     ///
     /// # Errors
     /// [`Error::Refused`](crate::Error::Refused): the parts are not sound.
-    pub fn faces(&self, mut wanted: impl FnMut(FacePart<'_>) -> bool) -> Result<Vec<Made>> {
-        let mut chosen = Vec::new();
-        for sheet in &self.sheets {
-            let [behind, before] = [&sheet.sides.behind, &sheet.sides.before].map(|s| self.dense(s));
-            let both = || behind.iter().zip(&before);
-            let on: Vec<bool> = both().map(|(a, b)| a != b).collect();
-            let inside: Vec<bool> = both().map(|(a, b)| *a && *b).collect();
-            if wanted(FacePart { on: &on, inside: &inside }) {
-                chosen.push(Chosen { region: sheet.region, flipped: false });
-            }
-        }
-        let found = self.shells(&chosen).faces(|_| false)?;
-        Ok(found.into_iter().map(|(_, made)| made).collect())
+    pub fn faces(&self, wanted: impl FnMut(FacePart<'_>) -> bool) -> Result<Vec<Made>> {
+        self.last().faces(wanted)
     }
 
     /// The cells into which the operands divide space, but for the outside of all: for each the operands in which it lies,
@@ -244,16 +195,7 @@ impl Fuse {
     /// # Errors
     /// As [`Fuse::solids`].
     pub fn cells(&self) -> Result<Vec<(Vec<bool>, Vec<Made>)>> {
-        let mut kinds: Vec<&Inside> = Vec::new();
-        for sheet in &self.sheets {
-            for side in [&sheet.sides.behind, &sheet.sides.before] {
-                if !side.is_empty() && !kinds.contains(&side) {
-                    kinds.push(side);
-                }
-            }
-        }
-        let kinds = kinds.into_iter().map(|kind| self.dense(kind));
-        kinds.map(|kind| Ok((kind.clone(), self.solids(|inside| inside == kind)?))).collect()
+        self.ask(&Level::cells)
     }
 
     /// The bounded parts of space between all faces of all operands, open ones among them: for each the closed operands
@@ -262,16 +204,7 @@ impl Fuse {
     /// # Errors
     /// [`Error::Refused`](crate::Error::Refused): the parts do not make sound solids.
     pub fn volumes(&self) -> Result<Vec<(Vec<bool>, Made)>> {
-        let two = |s: &Sheet| [false, true].map(|flipped| Chosen { region: s.region, flipped });
-        let chosen: Vec<Chosen> = self.sheets.iter().flat_map(two).collect();
-        let found = self.shells(&chosen).volumes()?;
-        let inside = |place: usize| {
-            let sides = self.sheets.get(place / 2).map(|s| &s.sides);
-            sides.map_or_else(Vec::new, |s| {
-                self.dense(if place.is_multiple_of(2) { &s.behind } else { &s.before })
-            })
-        };
-        Ok(found.into_iter().map(|(place, made)| (inside(place), made)).collect())
+        self.ask(&Level::volumes)
     }
 
     /// The faces of one operand, cut where the others meet it: for each connected part the closed operands in which it
@@ -280,27 +213,26 @@ impl Fuse {
     /// # Errors
     /// [`Error::Refused`](crate::Error::Refused): the parts are not sound.
     pub fn faces_of(&self, operand: usize) -> Result<Vec<(Vec<bool>, Made)>> {
-        let owner = |r: &Region| self.all.faces.get(r.face).map(|f| f.solid);
-        let chosen: Vec<Chosen> = (self.regions.iter().enumerate())
-            .filter(|(_, r)| owner(r) == Some(operand))
-            .map(|(region, _)| Chosen { region, flipped: false })
-            .collect();
-        let found = self.shells(&chosen).faces(self.cut_at(operand))?;
-        let inside = |place: usize| {
-            let region = chosen.get(place).map(|c| c.region);
-            let sheet = self.sheets.iter().find(|s| Some(s.region) == region);
-            sheet.map_or_else(Vec::new, |s| self.dense(&s.sides.before))
-        };
-        Ok(found.into_iter().map(|(place, made)| (inside(place), made)).collect())
+        self.ask(&|level| level.faces_of(operand))
     }
 
     /// What was decided within the tolerance, and how far it moved what: two points, curves or surfaces that are not one
     /// to rounding were taken as one, or a part nearer to a boundary was told to lie on one side of it.
     pub fn report(&self) -> Vec<Decision> {
-        report::decisions(&self.all, &self.pieces, &self.beside)
+        self.last().report()
     }
+}
 
-    fn shells<'a>(&'a self, chosen: &'a [Chosen]) -> Shells<'a> {
-        Shells { all: &self.all, pieces: &self.pieces, regions: &self.regions, chosen }
-    }
+/// The next finer distance for what was refused, and the parts left after it. Faces that are one within the tolerance, and
+/// would not be within all of `left`, stay one: taken apart they would leave slivers between them.
+fn finer(left: &'static [f64], limit: f64, why: &Error, gap: f64) -> Option<(f64, &'static [f64])> {
+    let (next, rest) = left.split_first()?;
+    let finest = left.last().map_or(0.0, |share| share * limit);
+    let Error::Refused(refusal) = why else { return None };
+    (refusal.class.may_be_chance() && gap <= 0.5 * finest).then_some((next * limit, rest))
+}
+
+/// What is told of a question that was refused at the tolerance and then at a finer one.
+fn told(at_tolerance: Error, at_finer: Error) -> Error {
+    if at_finer == Error::Stopped { at_finer } else { at_tolerance }
 }

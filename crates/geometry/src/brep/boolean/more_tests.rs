@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{DecisionKind, Fuse};
 use crate::{
-    Arc, BoundingBox, Box3, Brep, Circle, Curve, Cylinder, Interval, Line, Plane, Point3, Tolerance, Vector3,
-    Xform, construct, join_curves,
+    Arc, BoundingBox, Box3, Brep, Circle, Curve, Cylinder, Interval, Line, Plane, Point3, Sphere, Tolerance,
+    Vector3, Xform, construct, join_curves,
 };
 
 fn cuboid(min: [f64; 3], max: [f64; 3]) -> Brep {
@@ -162,6 +162,56 @@ fn a_corner_that_reaches_through_a_face_by_less_than_the_tolerance() {
             // A corner of three right angles of the height h is √3/2 h³; squeezed it has the height `depth`.
             let want = 100.0 - 0.5 * 3.0_f64.sqrt() * depth.powi(3) / flat.powi(2);
             assert!((volume - want).abs() < 1e-9, "{flat} {depth}: {volume} {want}");
+        }
+    }
+}
+
+/// Balls of radius 1.5, their seams along a direction.
+fn balls(centers: &[[f64; 3]], axis: Vector3) -> Vec<Brep> {
+    let ball = |center: &[f64; 3]| {
+        let plane = Plane::from_normal(Point3::from(*center), axis).unwrap();
+        construct::sphere(&Sphere::new(plane, 1.5).unwrap()).unwrap()
+    };
+    centers.iter().map(ball).collect()
+}
+
+fn volume(breps: &[Brep], tolerance: f64) -> f64 {
+    let made = Brep::union(breps, &within(tolerance)).unwrap();
+    made.iter().map(|m| m.brep.volume_properties(1e-9, || true).unwrap().amount).sum()
+}
+
+#[test]
+fn a_circle_that_passes_a_pole_within_the_tolerance() {
+    let centers = [[2.558535, -3.410291, 0.004779], [3.704958, -4.372307, -1.388743]];
+    let [a, b] = centers.map(Point3::from);
+    let (d, r) = (a.distance_to(b), 1.5);
+    // Two balls without what they have in common: a lens of two equal caps.
+    let lens = PI * (4.0 * r + d) * (2.0 * r - d).powi(2) / 12.0;
+    let want = 2.0 * 4.0 / 3.0 * PI * r.powi(3) - lens;
+    for tolerance in [1e-2, 1e-3, 1e-5] {
+        let found = volume(&balls(&centers, Vector3::Z), tolerance);
+        assert!((found - want).abs() < 1e-6 * want, "{tolerance}: {found} {want}");
+    }
+}
+
+#[test]
+fn places_that_are_within_the_tolerance_by_chance() {
+    // Corners and seams a few tolerances apart: pieces between them that pierce a face, or begin and end on its border.
+    let cases: [&[[f64; 3]]; 3] = [
+        &[[2.744162, 2.266094, 1.561044], [3.44238, 3.455086, 0.217773], [4.993106, 4.079242, 1.938367]],
+        &[
+            [-2.311191, 0.785719, -3.137798],
+            [-4.503776, 0.097855, -1.639603],
+            [-3.16314, 1.433705, -1.361595],
+        ],
+        &[[2.337278, -4.428224, -0.348421], [4.765877, -3.941174, 1.268845], [3.147525, -4.786345, 1.866202]],
+    ];
+    for centers in cases {
+        // Where the seams are does not matter.
+        let want = volume(&balls(centers, Vector3::new(0.3, 0.5, 0.8)), 1e-6);
+        for tolerance in [1e-2, 1e-3] {
+            let found = volume(&balls(centers, Vector3::Z), tolerance);
+            assert!((found - want).abs() < 1e-6 * want, "{centers:?} {tolerance}: {found} {want}");
         }
     }
 }

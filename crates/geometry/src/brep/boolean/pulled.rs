@@ -3,7 +3,7 @@
 use super::arrangement::Plan;
 use super::thresholds::{BESIDE, EXACT, MOST_HALVINGS, PLACES, PULLED, SAME_PARAMETER};
 use crate::brep::build::with_ends;
-use crate::{Curve, Direction, Interval, Line, Point3, PolyCurve, Result, Tolerance, Vector3};
+use crate::{Curve, Direction, Interval, Line, Point3, Result, Tolerance, Vector3};
 
 impl Plan<'_> {
     /// The image of a piece in the parameter plane, as near as it can be followed.
@@ -57,7 +57,7 @@ impl Plan<'_> {
         }
         let second = second.transformed(&crate::Xform::translation(way))?;
         let second = with_ends(&second, [first.end(), second.end()])?;
-        Ok(PolyCurve::new(vec![first, second])?.into())
+        Ok(crate::curve::chained(vec![first, second], 0.0))
     }
 
     /// The image of a line or an arc along which one parameter stands still and the other runs evenly, as along rulings,

@@ -12,3 +12,10 @@ impl Refusal {
         Error::Refused(Box::new(Self { class, faces: faces.to_vec(), place }))
     }
 }
+
+impl RefusalClass {
+    /// Whether what is refused may be places that are near each other by chance, so that a finer tolerance tells them apart.
+    pub(super) fn may_be_chance(self) -> bool {
+        matches!(self, Self::UnclosedSplit | Self::UndecidedPoint | Self::Unclosed | Self::Unsound)
+    }
+}

@@ -354,7 +354,7 @@ fn refuse_loose_ends(
         let end_to_end = curve.point_at(range.start).distance_to(curve.point_at(range.end));
         if range.is_increasing() && end_to_end > reach && inside_both(all, faces, curve, range, reach)? {
             let place = curve.point_at(range.middle());
-            return Err(all.refuse(RefusalClass::Unfinished, &places, Some(place)));
+            return Err(all.refuse(RefusalClass::UnclosedSplit, &places, Some(place)));
         }
     }
     Ok(())

@@ -7,6 +7,9 @@ pub(super) const ROUNDING: f64 = 1e-12;
 /// Section curves that have no closed form are followed within this part of the tolerance, so that vertices within the
 /// tolerance of their true place are still captured by the curve.
 pub(super) const TRACED: f64 = 0.25;
+/// Where decisions at the tolerance contradict each other they are made again at these parts of it: what lies that near to
+/// each other by chance is as much rarer.
+pub(super) const FINER: [f64; 3] = [1.0 / 8.0, 1.0 / 64.0, 1.0 / 512.0];
 /// A vertex belongs to a curve that comes nearer to it than so many tolerances: one for the vertex and one for the curve.
 pub(super) const CAPTURE: f64 = 2.0;
 /// What counts as the border of a face for a curve beside it, in tolerances, from the first that tells: 0 asks exactly.
