@@ -23,6 +23,14 @@ pub(super) struct Level {
     beside: Vec<Beside>,
 }
 
+/// Faces cut along each other.
+struct Divided {
+    pieces: Pieces,
+    regions: Vec<Region>,
+    sheets: Vec<Sheet>,
+    beside: Vec<Beside>,
+}
+
 /// Why operands were not fused at a tolerance.
 pub(super) struct Failed {
     pub(super) why: Error,
@@ -40,13 +48,13 @@ impl Level {
     /// Fuses operands; points, curves and surfaces within `limit` of each other are one.
     pub(super) fn of(breps: &[&Brep], limit: f64) -> std::result::Result<Self, Failed> {
         let mut all = Operands::new(breps, limit)?;
-        let cut = Self::cut(&mut all);
+        let divided = Self::divided(&mut all);
         let gap = gap(&all);
-        let (pieces, regions, sheets, beside) = cut.map_err(|why| Failed { why, gap })?;
+        let Divided { pieces, regions, sheets, beside } = divided.map_err(|why| Failed { why, gap })?;
         Ok(Self { all, pieces, regions, sheets, beside })
     }
 
-    fn cut(all: &mut Operands) -> Result<(Pieces, Vec<Region>, Vec<Sheet>, Vec<Beside>)> {
+    fn divided(all: &mut Operands) -> Result<Divided> {
         let pairs = interferences::face_pairs(all)?;
         interferences::meet_edges(all, &pairs)?;
         let found = sections::sections(all, &pairs)?;
@@ -59,7 +67,7 @@ impl Level {
         all.faces.iter_mut().for_each(operands::Face::forget_outlines);
         regions.iter_mut().for_each(Region::forget_outlines);
         pieces.forget_ends();
-        Ok((pieces, regions, sheets, beside))
+        Ok(Divided { pieces, regions, sheets, beside })
     }
 
     /// The operands, solids turned outward.

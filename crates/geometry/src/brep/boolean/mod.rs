@@ -47,7 +47,7 @@ pub use report::{Decision, DecisionKind};
 use std::sync::OnceLock;
 
 use crate::error::refusal;
-use crate::{Brep, Curve, Error, Result, Tolerance};
+use crate::{Brep, Curve, Error, Result, Tolerance, cancellation};
 use level::{Failed, Level};
 use thresholds::FINER;
 
@@ -134,7 +134,10 @@ impl Fuse {
         });
         match made {
             Some(fuse) => fuse.ask(question).map_err(|e| told(why, e)),
-            None => Err(why),
+            None => {
+                cancellation::check_now()?;
+                Err(why)
+            }
         }
     }
 
