@@ -2,7 +2,7 @@
 
 use super::search::{Leaf, Search};
 use crate::chart::thresholds::{MET, ROOM};
-use crate::trace::{Condition, End, Followed, Four, Limits, Pair, Place, followed};
+use crate::trace::{Box4, Condition, End, Followed, Four, Limits, Pair, Place, followed};
 use crate::{Direction, Result, cancellation};
 
 /// The curves, as they are found.
@@ -42,7 +42,7 @@ impl Curves {
                         (x[2 * s + d.index()], x[2 * s + 1 - d.index()]) = (value, t);
                         (x[2 - 2 * s], x[3 - 2 * s]) = (uv[0], uv[1]);
                         let parameter = 2 * s + d.index();
-                        self.add(search, x, Condition::Fixed { parameter, value })?;
+                        self.add(search, x, Condition::Fixed { parameter, value }, None)?;
                     }
                 }
             }
@@ -80,14 +80,25 @@ impl Curves {
         self.found.retain(|_| !doubles.next().unwrap_or(false));
     }
 
-    /// Follows the curve through a common point near parameters, unless it is known. Whether there is such a point.
-    fn add(&mut self, search: &Search<'_>, near: Four, condition: Condition) -> Result<bool> {
+    /// Follows the curve through a common point near parameters, unless it is known. Whether there is such a point, and in
+    /// the box where one is given: Newton's method may go elsewhere from a place between two curves, and what it finds there
+    /// tells nothing of the box.
+    fn add(
+        &mut self,
+        search: &Search<'_>,
+        near: Four,
+        condition: Condition,
+        within: Option<&Box4>,
+    ) -> Result<bool> {
         let pair = search.pair;
         let Some(x) = pair.polished(near, condition) else { return Ok(false) };
         if pair.beyond(x).iter().any(Option::is_some) {
             return Ok(false);
         }
         let x = pair.clamped(x);
+        if within.is_some_and(|b| (0..4).any(|k| x[k] < b[k][0] || x[k] > b[k][1])) {
+            return Ok(false);
+        }
         // At a tangent place nothing begins: the search has it among what is undecided.
         let Some(start) = pair.place(x) else { return Ok(true) };
         if self.found.iter().any(|c| c.holds(x, start.point)) {
@@ -125,7 +136,9 @@ impl Curves {
             let middle: Four = leaf.bounds.map(|[a, b]| 0.5 * (a + b));
             let jets = search.pair.jets(middle);
             let through = (jets[0][0] + jets[1][0]) * 0.5;
-            if !self.add(search, middle, Condition::Slice { through, across: leaf.along })? {
+            let known =
+                self.add(search, middle, Condition::Slice { through, across: leaf.along }, Some(&wide))?;
+            if !known {
                 let mut parts = search.parts(&leaf);
                 parts.reverse();
                 stack.append(&mut parts);

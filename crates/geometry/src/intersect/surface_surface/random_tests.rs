@@ -439,3 +439,12 @@ fn look_at_a_pair() {
         }
     }
 }
+
+/// Pairs in which a loop of a bump was taken for another curve, and branches over leaps of speed were off by more than the tolerance.
+#[test]
+fn pairs_that_were_wrong_once() {
+    for number in [1394, 2152, 3313] {
+        let all = counted(1, number, 60);
+        assert_eq!([all.missed, all.faulty, all.undecided], [0; 3], "{number}");
+    }
+}
