@@ -180,7 +180,8 @@ fn save(session: &Session, args: &RunArgs, path: &Path) -> Result<(), String> {
         left_out.extend(lost.iter().map(ToString::to_string));
     }
     let n = baked.model.objects.len();
-    note(&format!("{GREEN}{n}{GREEN:#} objects written to {}", path.display()));
+    let objects = if n == 1 { "object" } else { "objects" };
+    note(&format!("{GREEN}{n}{GREEN:#} {objects} written to {}", path.display()));
     for reason in left_out {
         note(&format!("{YELLOW}left out{YELLOW:#}: {reason}"));
     }

@@ -243,12 +243,13 @@ fn mesh_of(context: &Context<'_>, shape: &Value, cell: f64) -> Result<Shared<Mes
     if let Value::Mesh(mesh) = shape {
         return Ok(mesh.clone());
     }
-    match katydid_data::cast::value(shape, Kind::Brep, context.rules()) {
-        Some(Value::Brep(brep)) => {
+    let brep = katydid_data::cast::value(shape, Kind::Brep, context.rules()).and_then(|made| made.brep());
+    match brep.transpose().map_err(Message::error)? {
+        Some(brep) => {
             let settings = MeshSettings::within(cell * 0.1);
             Ok(Shared::new(brep.mesh_unless(&settings, &context.stop())?.welded()?))
         }
-        _ => Err(Message::error("Surfaces, polysurfaces and meshes are needed")),
+        None => Err(Message::error("Surfaces, polysurfaces and meshes are needed")),
     }
 }
 

@@ -1,6 +1,6 @@
 use katydid_component::testing::Trial;
 use katydid_data::{Tree, Value};
-use katydid_geometry::{Curve, Line, Point3};
+use katydid_geometry::{Curve, Interval, Line, Plane, PlaneSurface, Point3, Surface};
 
 /// Points of a flat grid of 81 × 81 cells of a quarter of a unit, from -10 to 10.
 fn flat() -> Tree {
@@ -120,4 +120,18 @@ fn strange_lists_are_refused() {
     assert!(
         Trial::of("Cut In Point").tree(flat()).list([Point3::ORIGIN]).item(90.0).message().contains("slope")
     );
+}
+
+#[test]
+fn a_surface_of_one_face_fills_the_terrain() {
+    // A level square of 4 by 4 units, 1 above, with slopes of 45 degrees: a prism, half prisms at its sides, and the quarters of a cone.
+    let plane = Plane::XY.with_origin(Point3::new(0.0, 0.0, 1.0));
+    let square = PlaneSurface::new(plane, Interval::new(-2.0, 2.0), Interval::new(-2.0, 2.0)).unwrap();
+    let run = Trial::of("Fill In Surface")
+        .tree(flat())
+        .item(Value::Surface(Surface::from(square).into()))
+        .item(45.0)
+        .run();
+    let exact = 16.0 + 8.0 + std::f64::consts::PI / 3.0;
+    assert!((volume(&run) / exact - 1.0).abs() < 2e-2, "{} {exact}", volume(&run));
 }

@@ -64,7 +64,8 @@ fn bake(
         return (Tree::item(Value::text("Nothing is baked")), Tree::empty());
     }
     let count = geometry.item_count();
-    (Tree::item(Value::text(format!("{count} objects are baked"))), Tree::empty())
+    let told = if count == 1 { "1 object is baked".to_owned() } else { format!("{count} objects are baked") };
+    (Tree::item(Value::text(told)), Tree::empty())
 }
 
 #[cfg(test)]

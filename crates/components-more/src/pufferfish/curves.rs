@@ -508,9 +508,9 @@ fn bounds(context: &Context<'_>, value: &Value, frame: &Plane) -> Result<Option<
     }
     Ok(match cast(Kind::Curve) {
         Some(Value::Curve(curve)) => Some(curve.bounding_box_in(frame)),
-        _ => match cast(Kind::Brep) {
-            Some(Value::Brep(brep)) => Some(brep.bounding_box_in(frame)?),
-            _ => None,
+        _ => match cast(Kind::Brep).and_then(|made| made.brep()) {
+            Some(brep) => Some(brep.map_err(Message::error)?.bounding_box_in(frame)?),
+            None => None,
         },
     })
 }

@@ -53,9 +53,12 @@ impl Voxels {
                     self.fill_curve(context, &curve, distance)?;
                 }
             }
-            _ => match cast(katydid_data::Kind::Brep) {
-                Some(Value::Brep(brep)) => self.fill_brep(context, &brep, distance)?,
-                _ => match cast(katydid_data::Kind::Mesh) {
+            _ => match cast(katydid_data::Kind::Brep).and_then(|made| made.brep()) {
+                Some(brep) => {
+                    let brep = brep.map_err(Message::error)?;
+                    self.fill_brep(context, &brep, distance)?;
+                }
+                None => match cast(katydid_data::Kind::Mesh) {
                     Some(Value::Mesh(mesh)) => self.fill_mesh(context, &mesh, distance)?,
                     _ => context.warn(format!("{} is not supported here: it fills nothing", value.kind())),
                 },
