@@ -5,6 +5,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use katydid_component::Limits;
@@ -29,6 +30,8 @@ pub(crate) struct Opened {
     job: Mutex<Option<Arc<Job>>>,
     place: Mutex<Place>,
     text: Mutex<Option<Arc<Text>>>,
+    /// Whether a thread writes the text ahead.
+    writing: AtomicBool,
     /// The document of a studio that this is a copy of.
     pub(crate) original: Option<Original>,
 }
@@ -75,6 +78,7 @@ impl Opened {
             job: Mutex::new(None),
             place: Mutex::new(Place { path, kept }),
             text: Mutex::default(),
+            writing: AtomicBool::new(false),
             original,
         }
     }
@@ -299,6 +303,34 @@ impl Opened {
         let text = Arc::new(Text::new(document));
         *kept = Some(Arc::clone(&text));
         text
+    }
+
+    /// Has the text of the document as it stands written, on a thread of its own, where nobody has asked for it yet: what was
+    /// opened or edited is mostly read or edited as text next. One thread at a time, which goes on to the newest state.
+    pub(crate) fn write_ahead(self: &Arc<Self>) {
+        let document = self.document();
+        if lock(&self.text).as_ref().is_some_and(|text| text.is_of(&document))
+            || self.writing.swap(true, Ordering::AcqRel)
+        {
+            return;
+        }
+        let own = Arc::clone(self);
+        let begun = std::thread::Builder::new().name("text".to_owned()).spawn(move || {
+            loop {
+                let text = own.text();
+                // A text that cannot be written is told to whoever asks for it.
+                let made = catch_unwind(AssertUnwindSafe(|| text.again().is_some()));
+                own.writing.store(false, Ordering::Release);
+                let newest = text.is_of(&own.document());
+                if made.is_err() || newest || own.writing.swap(true, Ordering::AcqRel) {
+                    return;
+                }
+            }
+        });
+        if begun.is_err() {
+            // Without a thread the text is written when it is asked for.
+            self.writing.store(false, Ordering::Release);
+        }
     }
 }
 

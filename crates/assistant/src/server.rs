@@ -81,7 +81,9 @@ impl Assistant {
         let arguments = request.arguments.unwrap_or_default();
         // Nothing of a tool runs on the threads that carry messages.
         let done = tokio::task::spawn_blocking(move || {
-            catch_unwind(AssertUnwindSafe(|| (entry.run)(&store, arguments)))
+            let reply = catch_unwind(AssertUnwindSafe(|| (entry.run)(&store, arguments)));
+            store.all().iter().for_each(Opened::write_ahead);
+            reply
         });
         let failed = || {
             Fault::new(
