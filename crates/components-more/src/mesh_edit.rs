@@ -222,6 +222,23 @@ fn mesh_from_points(
     Ok(Shared::new(Polygons { faces: faces.collect(), points }.to_mesh(context)?))
 }
 
+/// Turns faces of a mesh round until neighbours look to the same side, as the first face of each piece does. Stands for MeshEdit's
+/// Mesh UnifyNormals.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1d0b",
+    name = "Mesh UnifyNormals",
+    nick = "UnifyNormals",
+    at = "MeshEdit/Edit"
+)]
+#[output("Mesh", "M", "The mesh.")]
+fn unify_normals(
+    /// The mesh, open or closed.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+) -> Result<Shared<Mesh>, Message> {
+    Ok(Shared::new(mesh.unified()?.0))
+}
+
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;

@@ -239,3 +239,46 @@ fn dual_graph(
     }
     Ok(curves)
 }
+
+/// Parts the faces of a mesh by their numbers. Stands for Weaverbird's Reroute Faces.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1b38",
+    name = "Reroute Faces",
+    nick = "wbReroute",
+    at = "Weaverbird/Wb Extract"
+)]
+#[output("Mesh0", "R0", "The faces of those numbers; none where there are none.")]
+#[output("Mesh1", "R1", "The other faces.")]
+fn reroute_faces(
+    context: &Context<'_>,
+    /// The mesh.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+    /// The numbers of the faces, from 0.
+    #[port("Index", "N+")]
+    indices: List<i32>,
+) -> Result<(Option<Shared<Mesh>>, Option<Shared<Mesh>>), Message> {
+    let count = mesh.faces().len();
+    context.items(count)?;
+    let mut chosen = vec![false; count];
+    for index in indices.present() {
+        match usize::try_from(index).ok().and_then(|index| chosen.get_mut(index)) {
+            Some(slot) => *slot = true,
+            None => context.warn(format!("The mesh has no face {index}: there are {count}")),
+        }
+    }
+    let part = |wanted: bool| -> Result<Option<Shared<Mesh>>, Message> {
+        let faces: Vec<_> = mesh
+            .faces()
+            .iter()
+            .zip(&chosen)
+            .filter(|(_, own)| **own == wanted)
+            .map(|(face, _)| *face)
+            .collect();
+        if faces.is_empty() {
+            return Ok(None);
+        }
+        Ok(Some(Shared::new(mesh.part(&faces)?)))
+    };
+    Ok((part(true)?, part(false)?))
+}

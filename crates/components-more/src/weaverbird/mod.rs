@@ -3,13 +3,16 @@
 //! Public pages list names and ports; no file at hand shows the ids that Weaverbird gave its components, so those here have ids
 //! of our own, and files find them by name.
 
+mod define;
 mod extract;
 mod inset;
 mod smooth;
 mod subdivide;
 mod subdivision;
+mod tessellation;
 #[cfg(test)]
 mod tests;
+mod weave_back;
 
 use std::sync::Arc as Shared;
 

@@ -171,3 +171,43 @@ fn laplacian_hc(
         thinned(body, points, thin)
     })
 }
+
+/// Moves each vertex to the mean of itself and its neighbours, again and again. Stands for Weaverbird's Blur Mesh; which mean it
+/// takes is our reading.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1b23",
+    name = "Blur Mesh",
+    nick = "wbBlur",
+    at = "Weaverbird/Wb Smoothen"
+)]
+#[output(
+    "Output Mesh/Curves",
+    "O",
+    "The results: meshes from meshes, closed polylines from closed polylines."
+)]
+fn blur(
+    context: &Context<'_>,
+    /// Meshes, or closed polylines that are the faces of one body.
+    #[port("Mesh/Curves", "M")]
+    bodies: List<Value>,
+    /// The number of steps.
+    #[port("Level", "L", default = 1)]
+    level: i32,
+    /// How much of the first mesh the result has: 0 nothing, 1 all.
+    #[port("Thin", "T", default = 0.0)]
+    thin: f64,
+) -> Result<Vec<Value>, Message> {
+    let level = steps(level)?;
+    each(context, &bodies, |body| {
+        let mut near = body.rings();
+        for (i, ring) in near.iter_mut().enumerate().filter(|(_, ring)| !ring.is_empty()) {
+            ring.push(i);
+        }
+        let mut points = body.points.clone();
+        for _ in 0..level {
+            context.check()?;
+            points = means(&points, &near);
+        }
+        thinned(body, points, thin)
+    })
+}

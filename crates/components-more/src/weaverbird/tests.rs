@@ -163,3 +163,102 @@ fn parts() {
     assert!(matches!(split.outputs[0].column().get(0), Some(Value::Curve(_))));
     assert!(!Trial::of("Catmull-Clark Subdivision").item(4.0).message().is_empty());
 }
+
+/// A solid of that name over a base of so many sides, with its top at a height.
+fn solid(name: &str, sides: i32, height: f64) -> Mesh {
+    let top = Point3::new(0.0, 0.0, height);
+    made(Trial::of(name).item(Plane::XY).item(1.0).item(sides).item(top))
+}
+
+#[test]
+fn solids_over_regular_polygons() {
+    for height in [2.0, -2.0] {
+        for (name, wanted) in [
+            ("Mesh Pyramid", [5, 8, 5]),
+            ("Mesh Dipyramid", [6, 12, 8]),
+            ("Mesh Prism", [8, 12, 6]),
+            ("Mesh Antiprism", [8, 16, 10]),
+        ] {
+            let mesh = solid(name, 4, height);
+            assert_eq!(counts(&mesh), wanted, "{name}");
+            assert!(mesh.is_closed() && mesh.is_oriented() && mesh.volume() > 0.0, "{name} {height}");
+        }
+    }
+    // A square with its corners at distance 1 has the area 2.
+    near(solid("Mesh Pyramid", 4, 2.0).volume(), 4.0 / 3.0);
+    near(solid("Mesh Dipyramid", 4, 2.0).volume(), 8.0 / 3.0);
+    near(solid("Mesh Prism", 4, 2.0).volume(), 4.0);
+    // An antiprism over n sides with corners at distance 1: n h (sin 2a + sin a) / 3, where a = π / n.
+    let a = std::f64::consts::PI / 5.0;
+    near(solid("Mesh Antiprism", 5, 2.0).volume(), 5.0 * 2.0 * ((2.0 * a).sin() + a.sin()) / 3.0);
+    let inside = made(
+        Trial::of("Mesh Prism")
+            .item(Plane::XY)
+            .item(1.0)
+            .item(4)
+            .item(Point3::new(0.0, 0.0, 1.0))
+            .item(false),
+    );
+    near(inside.volume(), 4.0);
+    assert!(Trial::of("Mesh Prism").item(Plane::XY).item(1.0).item(2).message().contains("sides"));
+    assert!(Trial::of("Mesh Prism").item(Plane::XY).item(f64::NAN).message().contains("width"));
+    assert!(
+        Trial::of("Mesh Prism")
+            .item(Plane::XY)
+            .item(1.0)
+            .item(4)
+            .item(Point3::ORIGIN)
+            .message()
+            .contains("top")
+    );
+}
+
+/// The edges of a mesh given to Mesh From Lines.
+fn woven(mesh: &Mesh, most: i32) -> Mesh {
+    let edges = Trial::of("Mesh Edges").item(mesh.clone()).run();
+    let lines: Vec<Value> = edges.outputs[0].column().iter().flatten().collect();
+    made(Trial::of("Mesh From Lines (Weave Back)").list(lines).item(most))
+}
+
+#[test]
+fn meshes_come_back_from_their_edges() {
+    for mesh in [cube(), tetrahedron(), grid(1), grid(5), solid("Mesh Antiprism", 4, 2.0)] {
+        let back = woven(&mesh, 4);
+        assert_eq!(counts(&back)[1..], counts(&mesh)[1..]);
+        near(back.area(), mesh.area());
+        assert!(back.is_oriented());
+        assert_eq!(back.is_closed(), mesh.is_closed());
+    }
+    let ball = made(Trial::of("Catmull-Clark Subdivision").item(cube()).item(3));
+    assert_eq!(counts(&woven(&ball, 4)), counts(&ball));
+    // One line bounds no face.
+    let some = Trial::of("Mesh From Lines (Weave Back)")
+        .list([katydid_geometry::Line::new(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))]);
+    assert!(some.message().contains("No face"));
+}
+
+#[test]
+fn faces_are_parted_and_cut() {
+    let outcome = Trial::of("Reroute Faces").item(cube()).list([0, 5, 5]).run();
+    let faces: Vec<usize> = outcome
+        .outputs
+        .iter()
+        .map(|tree| match tree.column().get(0) {
+            Some(Value::Mesh(mesh)) => mesh.faces().len(),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    assert_eq!(faces, [2, 4]);
+    assert_eq!(counts(&made(Trial::of("Tile").item(cube()).item(2).item(0))), [14, 36, 24]);
+    assert_eq!(counts(&made(Trial::of("Tile").item(cube()).item(2).item(9))), [8, 12, 6]);
+    assert!(Trial::of("Tile").item(cube()).item(8).message().contains("fill"));
+}
+
+#[test]
+fn blurring_takes_the_mean_with_the_neighbours() {
+    // A corner at (1, 1, 1) has three neighbours whose sum is (1, 1, 1): the mean of four is half of it.
+    let once = made(Trial::of("Blur Mesh").item(cube()).item(1));
+    assert!(
+        once.vertices().iter().all(|p| (p.x.abs() - 0.5).abs() < 1e-12 && (p.z.abs() - 0.5).abs() < 1e-12)
+    );
+}

@@ -125,25 +125,6 @@ fn with_faces(mesh: &Mesh, faces: Vec<MeshFace>) -> Result<Mesh, Message> {
     Ok(Mesh::from_parts(parts.0, faces, parts.1, parts.2)?)
 }
 
-/// The sides of a face, each as the places of its two ends in order of the corners.
-fn sides(face: &MeshFace, merged: &[u32]) -> Vec<(u32, u32)> {
-    let corner = |i: u32| merged.get(i as usize).copied().unwrap_or(i);
-    let indices = face.indices();
-    let next = indices.iter().cycle().skip(1);
-    indices.iter().zip(next).map(|(&a, &b)| (corner(a), corner(b))).collect()
-}
-
-/// The faces along each side, whichever way they walk it.
-fn neighbours(mesh: &Mesh, merged: &[u32]) -> std::collections::HashMap<(u32, u32), Vec<usize>> {
-    let mut along: std::collections::HashMap<(u32, u32), Vec<usize>> = std::collections::HashMap::new();
-    for (i, face) in mesh.faces().iter().enumerate() {
-        for (a, b) in sides(face, merged) {
-            along.entry((a.min(b), a.max(b))).or_default().push(i);
-        }
-    }
-    along
-}
-
 /// Turns faces of a mesh round until neighbours look to the same side. The first face of each piece gives the side.
 #[component("ca6a48f4-b681-4989-b0c1-301a2929a84c", name = "Unify Mesh", nick = "UniM", at = "Mesh/Util")]
 #[output("Result", "R", "The mesh.")]
@@ -153,36 +134,8 @@ fn unify_mesh(
     #[port("Mesh", "M")]
     mesh: &Mesh,
 ) -> Result<(Shared<Mesh>, i32), Message> {
-    let merged = mesh.merged_indices();
-    let along = neighbours(mesh, &merged);
-    let mut flip: Vec<Option<bool>> = vec![None; mesh.faces().len()];
-    for first in 0..flip.len() {
-        let mut todo = vec![(first, false)];
-        while let Some((i, turned)) = todo.pop() {
-            match flip.get_mut(i) {
-                Some(place @ None) => *place = Some(turned),
-                _ => continue,
-            }
-            let Some(face) = mesh.faces().get(i) else { continue };
-            for (a, b) in sides(face, &merged) {
-                for &j in along.get(&(a.min(b), a.max(b))).into_iter().flatten().filter(|&&j| j != i) {
-                    let Some(other) = mesh.faces().get(j) else { continue };
-                    // Neighbours that look to the same side walk their common side in opposite directions.
-                    let same = sides(other, &merged).contains(&(a, b));
-                    todo.push((j, turned != same));
-                }
-            }
-        }
-    }
-    let turned = |i: usize| flip.get(i).copied().flatten().unwrap_or(false);
-    let faces = mesh.faces().iter().enumerate().map(|(i, f)| if turned(i) { f.flipped() } else { *f });
-    let count = (0..flip.len()).filter(|&i| turned(i)).count();
-    if count == 0 {
-        return Ok((shared(mesh.clone()), 0));
-    }
-    let unified =
-        Mesh::from_parts(mesh.vertices().to_vec(), faces.collect(), Vec::new(), mesh.colours().to_vec())?;
-    Ok((shared(unified.with_normals()), integer(count)))
+    let (unified, count) = mesh.unified()?;
+    Ok((shared(unified), integer(count)))
 }
 
 #[cfg(test)]

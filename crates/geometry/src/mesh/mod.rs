@@ -34,6 +34,7 @@ mod split;
 mod thresholds;
 mod topology;
 mod tree;
+mod unify;
 mod unweld;
 
 pub(crate) use align::align_points;

@@ -266,6 +266,7 @@ export const meshedit: Tab = {
     "Mesh Explode": mesh("ME"),
     "Mesh Flip": mesh("MF"),
     "Mesh Triangulate": mesh("MT"),
+    "Mesh UnifyNormals": mesh("UN"),
     "Mesh WeldVertices": mesh("MW"),
   },
 };
@@ -278,16 +279,28 @@ export const telepathy: Tab = {
 };
 
 export const weaverbird: Tab = {
+  "Wb Create": {
+    "Mesh From Lines (Weave Back)": mesh("Wk"),
+    Tile: mesh("Ti"),
+  },
+  "Wb Define": {
+    "Mesh Antiprism": solid("MA"),
+    "Mesh Dipyramid": solid("MD"),
+    "Mesh Prism": solid("MP"),
+    "Mesh Pyramid": solid("My"),
+  },
   "Wb Extract": {
     "Dual graph": mesh("Dg"),
     "Face Polylines": mesh("FP"),
     "Join Meshes and Weld": mesh("oi"),
     "Mesh Edges": mesh("ME"),
     "Naked boundary": mesh("Nb"),
+    "Reroute Faces": mesh("RF"),
     "Unify face windings": mesh("Uf"),
     "Vertices Component": mesh("VC"),
   },
   "Wb Smoothen": {
+    "Blur Mesh": soft("BM"),
     "Laplacian Smoothing": soft("LS"),
     "LaplacianHC Smoothing": soft("LH"),
   },
