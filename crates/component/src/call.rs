@@ -1,7 +1,7 @@
 use katydid_data::{Tree, cast::Rules};
 use katydid_definition::archive::Chunk;
 
-use crate::{Budget, Files, Message, Outbox, RhinoModel};
+use crate::{Budget, Files, Kept, Message, Outbox, RhinoModel};
 
 /// Everything one run of a component gets.
 #[derive(Debug)]
@@ -24,6 +24,8 @@ pub struct Call<'a> {
     pub files: &'a Files,
     /// Where files that components write go; none are written where there is none.
     pub outbox: Option<&'a Outbox>,
+    /// What components keep from one solve to the next; nothing is kept where there is none.
+    pub kept: Option<&'a Kept>,
     /// The Rhino model that the definition looks into, when one is given.
     pub model: Option<&'a RhinoModel>,
 }

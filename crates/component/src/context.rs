@@ -5,7 +5,7 @@ use katydid_data::{Path, cast::Rules, text};
 use katydid_definition::archive::Chunk;
 use katydid_geometry::Tolerance;
 
-use crate::{Call, Message, Notes, RhinoModel};
+use crate::{Call, Kept, Message, Notes, RhinoModel};
 
 /// What a component's function may ask and tell besides its data.
 #[derive(Debug)]
@@ -136,6 +136,11 @@ impl<'a> Context<'a> {
     /// Whether files that are written are wanted: making them may be left out else.
     pub fn writes_files(&self) -> bool {
         self.call.outbox.is_some()
+    }
+
+    /// What components keep from one solve to the next, where somebody looks on.
+    pub fn kept(&self) -> Option<&'a Kept> {
+        self.call.kept
     }
 
     /// The Rhino model that the definition looks into, when one is given.

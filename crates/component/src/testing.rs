@@ -5,7 +5,7 @@ use std::sync::Arc;
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value, text};
 use katydid_definition::archive::{Chunk, ItemValue};
 
-use crate::{Account, Budget, Call, Component, Files, Limits, Outbox, Outcome, RhinoModel, registry};
+use crate::{Account, Budget, Call, Component, Files, Kept, Limits, Outbox, Outcome, RhinoModel, registry};
 
 /// A component with its inputs.
 ///
@@ -35,6 +35,7 @@ pub struct Trial {
     limits: Limits,
     files: Files,
     outbox: Option<Arc<Outbox>>,
+    kept: Option<Arc<Kept>>,
     model: Option<RhinoModel>,
 }
 
@@ -70,6 +71,7 @@ impl Trial {
             limits: Limits::default(),
             files: Files::default(),
             outbox: None,
+            kept: None,
             model: None,
         }
     }
@@ -182,6 +184,13 @@ impl Trial {
         self
     }
 
+    /// What the component keeps from run to run stands there.
+    #[must_use]
+    pub fn kept(mut self, kept: &Arc<Kept>) -> Self {
+        self.kept = Some(kept.clone());
+        self
+    }
+
     /// Runs it; inputs not given have their defaults.
     pub fn run(mut self) -> Outcome {
         while self.component.inputs.get(self.inputs.len()).is_some_and(|p| !p.many) {
@@ -199,6 +208,7 @@ impl Trial {
             budget: &budget,
             files: &self.files,
             outbox: self.outbox.as_deref(),
+            kept: self.kept.as_deref(),
             model: self.model.as_ref(),
         };
         budget.token().during(|| (self.component.run)(&call))

@@ -190,6 +190,7 @@ fn run_limited(name: &str, inputs: &[Tree], outputs: usize, limits: Limits) -> O
         budget: &budget,
         files: &Default::default(),
         outbox: None,
+        kept: None,
         model: None,
     };
     (component.run)(&call)

@@ -250,6 +250,7 @@ fn feed(component: &Component, inputs: &[Tree], watch: &Watch) -> Option<String>
         budget: &budget,
         files: &Default::default(),
         outbox: None,
+        kept: None,
         model: None,
     };
     let Ok(outcome) = catch_unwind(AssertUnwindSafe(|| budget.token().during(|| (component.run)(&call))))

@@ -179,6 +179,7 @@ fn run(
         budget,
         files: &turn.options.files,
         outbox: turn.options.outbox.as_deref(),
+        kept: turn.options.kept.as_deref(),
         model: turn.options.model.as_deref(),
     };
     let outcome = catch_unwind(AssertUnwindSafe(|| (component.run)(&call)));

@@ -2,7 +2,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
-use katydid_component::{Account, Cancel, Files, Limits, Outbox, RhinoModel};
+use katydid_component::{Account, Cancel, Files, Kept, Limits, Outbox, RhinoModel};
 use katydid_data::cast::Rules;
 use katydid_definition::document::Object;
 
@@ -51,6 +51,8 @@ pub struct Options {
     pub files: Files,
     /// Where files that components write go; none are written unless there is one.
     pub outbox: Option<Arc<Outbox>>,
+    /// What components keep from one solve to the next for hands that drag; nothing unless said so.
+    pub kept: Option<Arc<Kept>>,
     /// The Rhino model that parameters refer to, when there is one.
     pub model: Option<Arc<RhinoModel>>,
     /// Which other servers Hops components may ask; none unless said so.

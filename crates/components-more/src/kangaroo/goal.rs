@@ -8,6 +8,8 @@ use katydid_component::Message;
 use katydid_data::{Keeper, Token, Value};
 use katydid_geometry::{Point3, Vector3};
 
+use super::grab::Grab;
+
 /// How far a goal would move a point, and with which weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pull {
@@ -36,6 +38,11 @@ pub(super) trait Rule: fmt::Debug + Send + Sync {
     /// What `memory` begins with.
     fn memory(&self) -> Vec<f64> {
         Vec::new()
+    }
+
+    /// The hand that drags a particle, where the rule has one: its particle is the solver's to choose.
+    fn grab(&self) -> Option<&Grab> {
+        None
     }
 
     /// What the goal shows for its points: an item of the solver's output.

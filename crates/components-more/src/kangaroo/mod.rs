@@ -10,6 +10,8 @@ mod elder;
 mod fits;
 mod folds;
 mod goal;
+mod grab;
+mod held;
 mod lines;
 mod loads;
 mod mesh_tools;

@@ -8,23 +8,31 @@ use katydid_data::{Content, Value};
 use katydid_geometry::{Point3, Vector3};
 
 use super::goal::Place;
+use super::grab::Grab;
 use super::thresholds::{MOST_PULLS, MOST_STEPS, SHORTEST};
 use super::{Goal, Pull};
 
 /// One goal with the numbers of its particles.
-struct Bound {
-    keeper: Arc<dyn katydid_data::Keeper>,
+pub(super) struct Bound {
+    pub(super) keeper: Arc<dyn katydid_data::Keeper>,
     /// Where its particles stand in the list of all goals' particles.
     from: usize,
     to: usize,
-    memory: Vec<f64>,
+    pub(super) memory: Vec<f64>,
+}
+
+impl Bound {
+    /// The hand that drags for this goal, where it has one.
+    pub(super) fn grab(&self) -> Option<&Grab> {
+        self.keeper.as_any().downcast_ref::<Goal>()?.rule.grab()
+    }
 }
 
 /// The particles and goals of a solver.
 pub(super) struct System {
     pub(super) points: Vec<Point3>,
-    speeds: Vec<Vector3>,
-    goals: Vec<Bound>,
+    pub(super) speeds: Vec<Vector3>,
+    pub(super) goals: Vec<Bound>,
     /// The particles of all goals, one goal after another.
     particles: Vec<usize>,
     pulls: Vec<Pull>,
@@ -170,6 +178,35 @@ impl System {
         system.sums = vec![(Vector3::ZERO, 0.0); count];
         system.pulls = vec![Pull::NONE; system.particles.len()];
         Ok(system)
+    }
+
+    /// Has goal `k` work on that particle, in place of those that it worked on.
+    pub(super) fn bind(&mut self, k: usize, particle: usize) {
+        let (from, to) = (self.particles.len(), self.particles.len() + 1);
+        let Some(goal) = self.goals.get_mut(k).filter(|_| particle < self.points.len()) else { return };
+        (goal.from, goal.to) = (from, to);
+        self.particles.push(particle);
+        self.pulls.push(Pull::NONE);
+    }
+
+    /// Takes the particles to where those of another system are, and has hands hold the ones that they hold there; its goals
+    /// from number `from` on are these.
+    pub(super) fn hold_as(&mut self, whole: &Self, from: usize) {
+        self.points.clone_from(&whole.points);
+        for k in 0..self.goals.len() {
+            let Some(there) = whole.goals.get(from + k).filter(|goal| goal.grab().is_some()) else {
+                continue;
+            };
+            let held = whole.particles.get(there.from..there.to).and_then(|held| held.first().copied());
+            if let Some(particle) = held {
+                self.bind(k, particle);
+            }
+        }
+    }
+
+    /// How many pulls a step takes.
+    pub(super) fn pull_count(&self) -> usize {
+        self.pulls.len()
     }
 
     /// The number of steps that may be taken at most when nobody says how many.

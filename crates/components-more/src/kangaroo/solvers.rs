@@ -4,6 +4,7 @@ use katydid_component::{Context, Message, component};
 use katydid_data::{Column, Path, Tree, TreeBuilder, Value};
 use katydid_geometry::{Curve, Line, Mesh, Point3};
 
+use super::held::{Hand, begin_anew};
 use super::solve::{Motion, System};
 use super::thresholds::{REST, TOLERANCE, ZOMBIE_REST};
 use super::utility::polyline;
@@ -48,19 +49,25 @@ fn unrested(context: &Context<'_>, system: &System) {
     context.tell(Message::remark(text));
 }
 
-/// Brings a system to rest, unless it shall stay as it is at first.
+/// Brings the system of a solver to rest, unless it shall stay as it is at first; while a hand drags, nearer to rest.
 fn settle(
     context: &Context<'_>,
+    name: &'static str,
     system: &mut System,
     motion: Motion,
     rest: f64,
     [reset, on]: [bool; 2],
 ) -> Result<(), Message> {
     if reset || !on {
+        begin_anew(context, name, system);
         return Ok(());
     }
-    let most = system.most_steps();
-    if !system.run(context, motion, threshold(rest)?, most)? {
+    let rest = threshold(rest)?;
+    let hand = Hand::take(context, name, system);
+    let (is_held, most) = (hand.is_held(), hand.most_steps(system));
+    let ran = system.run(context, motion, rest, most);
+    hand.keep(context, system);
+    if !ran? && !is_held {
         unrested(context, system);
     }
     Ok(())
@@ -95,7 +102,7 @@ fn solver(
     on: bool,
 ) -> Result<(i32, Vec<Point3>, Tree), Message> {
     let mut system = System::new(context, &items(goals), &[], tolerance)?;
-    settle(context, &mut system, Motion::ToRest, rest, [reset, on])?;
+    settle(context, "Solver", &mut system, Motion::ToRest, rest, [reset, on])?;
     Ok((steps(&system), system.points.clone(), shown(&system, goals, 0)))
 }
 
@@ -130,7 +137,7 @@ fn solver_of_lists(
 ) -> Result<(i32, Vec<Point3>, Tree), Message> {
     let items = items(goals);
     let mut system = System::new(context, &items, &[], tolerance)?;
-    settle(context, &mut system, Motion::ToRest, rest, [reset, on])?;
+    settle(context, "Solver", &mut system, Motion::ToRest, rest, [reset, on])?;
     Ok((steps(&system), system.points.clone(), shown_list(&system, items.len())))
 }
 
@@ -185,7 +192,7 @@ fn solver_with_points(
         .collect();
     let items = items(goals);
     let mut system = System::new(context, &items, &first, tolerance)?;
-    settle(context, &mut system, Motion::ToRest, rest, [reset, on])?;
+    settle(context, "Solver", &mut system, Motion::ToRest, rest, [reset, on])?;
     Ok((system.points.clone(), shown_list(&system, items.len())))
 }
 
@@ -268,7 +275,7 @@ fn bouncy_solver(
     on: bool,
 ) -> Result<(i32, Vec<Point3>, Tree), Message> {
     let mut system = System::new(context, &items(goals), &[], tolerance)?;
-    settle(context, &mut system, Motion::Inertia(damping(kept)), rest, [reset, on])?;
+    settle(context, "BouncySolver", &mut system, Motion::Inertia(damping(kept)), rest, [reset, on])?;
     Ok((steps(&system), system.points.clone(), shown(&system, goals, 0)))
 }
 
@@ -312,9 +319,52 @@ fn step_solver(
     if animate {
         let motion = if momentum { Motion::Inertia(damping(kept)) } else { Motion::ToRest };
         let count = usize::try_from(count).unwrap_or(0).min(system.most_steps());
-        system.run(context, motion, 0.0, count)?;
+        let hand = Hand::take(context, "StepSolver", &mut system);
+        let ran = system.run(context, motion, 0.0, count);
+        hand.keep(context, &system);
+        ran?;
+    } else {
+        begin_anew(context, "StepSolver", &system);
     }
     Ok((steps(&system), system.points.clone(), shown(&system, goals, 0)))
+}
+
+const SOFT_AND_HARD: &str = "Soft & Hard Solver";
+
+/// Steps of soft goals, each followed by several of the hard ones.
+struct Turns {
+    /// What part of a step the soft goals take.
+    share: f64,
+    hard_steps: usize,
+    rest: f64,
+}
+
+impl Turns {
+    /// Goes on until the mean square of a step is below `rest`, at most `most` times. Gives whether it came to rest.
+    fn take(
+        &self,
+        context: &Context<'_>,
+        gentle: &mut System,
+        strict: &mut System,
+        most: usize,
+    ) -> Result<bool, Message> {
+        for _ in 0..most {
+            context.check()?;
+            let before = strict.points.clone();
+            gentle.points.clone_from(&strict.points);
+            gentle.relax(self.share);
+            strict.points.clone_from(&gentle.points);
+            for _ in 0..self.hard_steps {
+                strict.relax(1.0);
+            }
+            let moved =
+                before.iter().zip(&strict.points).map(|(a, b)| (*a - *b).length_squared()).sum::<f64>();
+            if moved / before.len().max(1) as f64 <= self.rest {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
 }
 
 /// Brings points to where hard goals are met, and soft ones as far as the hard ones let them: after each step of the soft goals
@@ -365,31 +415,21 @@ fn soft_and_hard_solver(
     );
     let rest = threshold(rest)?;
     if on && !reset {
+        let hand = Hand::take(context, SOFT_AND_HARD, &mut whole);
+        gentle.hold_as(&whole, 0);
+        strict.hold_as(&whole, gentle.goals.len());
         let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
-        let hard_steps = usize::try_from(hard_steps).unwrap_or(0).min(1000);
-        let most = whole.most_steps() / (hard_steps + 1);
-        let mut rested = false;
-        for _ in 0..most.max(1) {
-            context.check()?;
-            let before = strict.points.clone();
-            gentle.points.clone_from(&strict.points);
-            gentle.relax(share);
-            strict.points.clone_from(&gentle.points);
-            for _ in 0..hard_steps {
-                strict.relax(1.0);
-            }
-            let moved =
-                before.iter().zip(&strict.points).map(|(a, b)| (*a - *b).length_squared()).sum::<f64>();
-            if moved / before.len().max(1) as f64 <= rest {
-                rested = true;
-                break;
-            }
-        }
-        if !rested && !all.is_empty() {
+        let turns = Turns { share, hard_steps: usize::try_from(hard_steps).unwrap_or(0).min(1000), rest };
+        let (is_held, most) = (hand.is_held(), hand.most_steps(&whole) / (turns.hard_steps + 1));
+        let rested = turns.take(context, &mut gentle, &mut strict, most.max(1));
+        whole.points.clone_from(&strict.points);
+        whole.steps += gentle.steps;
+        hand.keep(context, &whole);
+        if !rested? && !all.is_empty() && !is_held {
             unrested(context, &gentle);
         }
-        whole.points.clone_from(&strict.points);
-        whole.steps = gentle.steps;
+    } else {
+        begin_anew(context, SOFT_AND_HARD, &whole);
     }
     let trees = [shown(&whole, soft, 0), shown(&whole, hard, first.len())];
     Ok((steps(&whole), whole.points.clone(), Tree::merge(trees.iter())))
@@ -453,39 +493,3 @@ fn show(
     };
     Goal::item("Kangaroo goal: Show", points, show)
 }
-
-/// A goal that asks for nothing.
-#[derive(Debug)]
-struct Idle;
-
-impl Rule for Idle {
-    fn pull(&self, _: &[Point3], _: &mut [f64], _: usize, _: &mut [Pull]) {}
-}
-
-macro_rules! grab {
-    ($function:ident, $guid:literal $(, $old:ident)?) => {
-        /// Dragging of points in Rhino's viewport, which there is not here: the goal asks for nothing. Stands for Kangaroo 2's
-        /// Grab.
-        #[component($guid, name = "Grab", nick = "Grab", at = "Kangaroo2/Main" $(, $old)?)]
-        #[output("Goal", "G", "A goal that asks for nothing.")]
-        #[output("Anchors", "A", "The places of points that were fixed by hand: none.")]
-        fn $function(
-            /// Not used.
-            #[port("On", "On", optional)]
-            _on: Option<bool>,
-            /// Not used.
-            #[port("Strength", "Strength", optional)]
-            _strength: Option<f64>,
-            /// Not used.
-            #[port("Range", "Range", optional)]
-            _range: Option<f64>,
-        ) -> Result<(Value, Vec<Point3>), Message> {
-            Ok((Goal::item("Kangaroo goal: Grab", Vec::new(), Idle)?, Vec::new()))
-        }
-    };
-}
-
-grab!(grab, "ea145d1d-7727-4d52-8db6-c9b7100ab7f9");
-grab!(grab_with_control, "4c90aad1-0748-4800-99db-a27d690bb1e1", old);
-grab!(grab_with_alt, "4c53ba00-f4bd-4ede-8d26-55106278268d", old);
-grab!(grab_plain, "3d13a415-6ac5-4b59-9677-3975e4696a85", old);

@@ -13,6 +13,12 @@ pub(super) const MOST_STEPS: usize = 20_000;
 pub(super) const MOST_PULLS: usize = 400_000_000;
 /// Lengths below this, in units, have no direction: it only keeps divisions from overflow.
 pub(super) const SHORTEST: f64 = 1e-12;
+/// A solve takes at most so many steps while a hand drags: the next follows at once, and one sees the form give way.
+pub(super) const HELD_STEPS: usize = 30;
+/// It also takes at most so many pulls then: hundredths of a second of work.
+pub(super) const HELD_PULLS: usize = 1_000_000;
+/// The strength of a hand where nothing is given: a tenth of what anchors have, which so hold against it.
+pub(super) const GRAB_STRENGTH: f64 = 1000.0;
 /// The strength of what shall hold: Kangaroo's anchors have it.
 pub(super) const HOLD: f64 = 10_000.0;
 /// More pairs of points than this are not looked at one by one.

@@ -69,6 +69,13 @@ pub const IMAGE_SAMPLER: Uuid = uuid!("d69a3494-785b-4beb-969b-d2373f65abfd");
 pub const GEOMETRY_PIPELINE: Uuid = uuid!("b341e2e5-c4b3-49a3-b3a4-b4e6e2054516");
 /// Expression, with variable inputs.
 pub const EXPRESSION: Uuid = uuid!("9df5e896-552d-4c8c-b9ca-4fc147ffa022");
+/// Kangaroo 2's Grab, in its versions.
+pub const GRABS: [Uuid; 4] = [
+    uuid!("ea145d1d-7727-4d52-8db6-c9b7100ab7f9"),
+    uuid!("4c90aad1-0748-4800-99db-a27d690bb1e1"),
+    uuid!("4c53ba00-f4bd-4ede-8d26-55106278268d"),
+    uuid!("3d13a415-6ac5-4b59-9677-3975e4696a85"),
+];
 /// Trigger, once called Timer.
 pub const TRIGGER: Uuid = uuid!("5a2b0735-ba98-4b7d-a7d3-c1dfc04475ad");
 /// Galapagos.

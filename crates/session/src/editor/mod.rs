@@ -1,6 +1,7 @@
 //! The document being edited: the only truth, its history and the number of its state.
 
 mod draft;
+mod hand;
 mod history;
 mod inside;
 mod kept;
@@ -9,7 +10,7 @@ mod words;
 use std::sync::{Arc, OnceLock};
 
 use katydid_data::cast::Rules;
-use katydid_definition::document::{Difference, Document, Lookup, Object, Special};
+use katydid_definition::document::{Difference, Document, Lookup, Object};
 use uuid::Uuid;
 
 use history::History;
@@ -289,29 +290,6 @@ impl Editor {
         let mut after = Document::clone(&self.document);
         let back = after.apply(difference).ok()?;
         Some((after, back))
-    }
-
-    /// Holds a Button down, or lets it go: the step that a solver takes for it. The document is as it was: nobody keeps
-    /// or takes back that a button is held.
-    ///
-    /// # Errors
-    /// When there is no such button.
-    pub fn press(&self, button: Uuid, down: bool, within: &[Uuid]) -> Result<Difference, Refusal> {
-        let mut inner = self.open(within)?;
-        let found = inner.objects.iter_mut().find(|object| object.id == button);
-        let object = found.ok_or(Refusal::NoObject(button))?;
-        let Some(Special::Button(held)) = object.special() else {
-            let reason = "it is not a Button".to_owned();
-            return Err(Refusal::Unfit { object: object.title().to_owned(), reason });
-        };
-        if down {
-            object.container_mut().set("ExpressionNormal", held.pressed);
-        }
-        let after = self.close(within, inner)?;
-        let outermost = within.first().copied().unwrap_or(button);
-        let at = self.lookup().object(outermost).ok_or(Refusal::NoObject(outermost))?;
-        let object = after.objects.get(at).cloned().ok_or(Refusal::NoObject(outermost))?;
-        Ok(Difference { removed: vec![at], put: vec![(at, object)], frame: None })
     }
 
     /// Objects with the wires into them, as the text that Grasshopper has on its clipboard.

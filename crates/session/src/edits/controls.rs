@@ -26,6 +26,9 @@ pub(super) fn set(draft: &mut Draft<'_>, id: uuid::Uuid, to: &Setting) -> Result
         // The session keeps this for as long as the button is held: nothing of the document changes.
         Setting::Press { .. } if object.component == ids::BUTTON => {}
         Setting::Press { .. } => return Err(unfit(object, "it is not a Button")),
+        // The same for as long as a particle is dragged.
+        Setting::Grab { .. } if ids::GRABS.contains(&object.component) => {}
+        Setting::Grab { .. } => return Err(unfit(object, "it is not a Grab")),
         Setting::Choose { chosen } => {
             bounded(chosen)?;
             let mut chosen: Vec<usize> = chosen.iter().filter_map(|k| usize::try_from(*k).ok()).collect();

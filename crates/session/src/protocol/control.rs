@@ -97,6 +97,8 @@ pub enum Setting {
     Switch { on: bool },
     /// Of a Button: held or not. It is not kept and cannot be undone.
     Press { down: bool },
+    /// Of a Grab of Kangaroo: the particle that is dragged, or that it is let go. It is not kept and cannot be undone.
+    Grab { held: Option<HeldPoint> },
     /// Of a Value List: the indices of what is chosen.
     Choose { chosen: Vec<u32> },
     /// Of a Colour Swatch or Picker.
@@ -109,6 +111,19 @@ pub enum Setting {
     Date { date: [i32; 3] },
     /// Of a Clock: seconds since midnight, from 0 to less than 86,400.
     Time { seconds: f64 },
+}
+
+/// A particle of a solver in a hand.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub struct HeldPoint {
+    /// Where the hand took hold: the particle is the one that was nearest then. It tells one drag from the next.
+    pub from: [f64; 3],
+    /// Where the hand is now.
+    pub to: [f64; 3],
+    /// How far from `from` the particle may be, in units of the model, where the object has no range of its own.
+    pub reach: f64,
 }
 
 /// Which numbers a slider takes.

@@ -25,7 +25,9 @@ mod view;
 pub use analysis::{
     AnalysisView, BendView, CircleView, CombMeasure, CombView, IsocurvesView, Probe, ProbePlace, Probed,
 };
-pub use control::{Control, GraphView, GripView, ListItemView, ListModeView, RoundingView, Setting};
+pub use control::{
+    Control, GraphView, GripView, HeldPoint, ListItemView, ListModeView, RoundingView, Setting,
+};
 pub use edit::{
     AccessView, Alignment, Connection, Edit, GroupChange, Initial, ObjectChange, PanelChange, PortChange,
 };

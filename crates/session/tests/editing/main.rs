@@ -7,6 +7,7 @@ mod common;
 
 mod controls;
 mod given;
+mod hand;
 mod made;
 mod ports;
 mod published;
