@@ -479,3 +479,49 @@ async fn what_is_only_examined_is_not_solved_until_somebody_says_so() {
     assert!(is_done(&client.ask(Ask::Recompute).await));
     client.shows("shown", &["4"]).await;
 }
+
+const ROPE: &str = "katydid 1
+rope = Line((0, 0, 0), (8, 0, 0)) hidden
+points = Divide Curve(rope, 8) -> Points |hidden
+chain = PolyLine(points) hidden
+links = Explode(chain) hidden
+springs = `Length(Line)`(links.Segments, 1.1, 20)
+weight = Load(points, (0, 0, -1))
+held = Anchor([(0, 0, 0), (8, 0, 0)]) hidden
+grab = Grab()
+solved = Solver([springs, weight, held, grab.Goal])
+place = Deconstruct(solved.Vertices)
+hundredths = Operators/Multiplication(place.Z, 100)
+whole = Round(hundredths)
+shown = Panel(whole.Nearest)
+";
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_particle_is_dragged_and_let_go_by_who_leaves() {
+    let studio = Studio::start().await;
+    let id = studio.upload(ROPE).await;
+    let (mut one, mut two) = (studio.join(&id).await, studio.join(&id).await);
+    one.solved(1).await;
+    two.solved(1).await;
+    let rest = two.texts("shown");
+    let grab = one.named("grab");
+    let hold = |z| Setting::Grab {
+        held: Some(katydid_session::protocol::HeldPoint {
+            from: [4.0, 0.0, 0.0],
+            to: [4.0, 0.0, z],
+            reach: 5.0,
+        }),
+    };
+    assert!(is_done(&one.edit(Edit::Set { object: grab, to: hold(6.0) }).await));
+    while two.texts("shown") == rest {
+        two.hear().await;
+    }
+    let state = two.state.as_ref().unwrap();
+    assert!(state.revision == 0 && state.document.undo.is_none());
+    drop(one);
+    let rest: Vec<&str> = rest.iter().map(String::as_str).collect();
+    two.shows("shown", &rest).await;
+    let nobody = Edit::Set { object: two.named("solved"), to: hold(1.0) };
+    assert!(refusal(&two.edit(nobody).await).contains("not a Grab"));
+    studio.server.stop().await;
+}

@@ -4,7 +4,7 @@ import { SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import type { StoreApi } from "zustand/vanilla";
 
 import { union } from "../core/bounds";
-import type { Bounds, Preview, Rgba } from "../core/preview";
+import type { Bounds, Point3, Preview, Rgba } from "../core/preview";
 import { rectangle } from "../core/screen";
 import { placeOf } from "../core/section";
 import { FalseColours } from "./analysis";
@@ -20,6 +20,7 @@ import { settingsStore, viewportStore, type ViewportSettings, type ViewportState
 import { readTheme, type Theme } from "./theme";
 import { isOfDocument, isTool } from "./tools/beside";
 import { Picker, type Pick, type PickView } from "./tools/picking";
+import { vertexAt } from "./tools/vertices";
 import { inWindow } from "./tools/windowSelect";
 import { areAlike, isHidden, type Surroundings } from "./surroundings";
 import { TextLayer } from "./overlay/texts";
@@ -173,6 +174,13 @@ export class Viewport {
     const placed = this.panes.at(x, y);
     this.#settle();
     return this.#picker.at(this.#view(placed), x - placed.left, y - placed.top, withLayers);
+  }
+
+  /** The point of what is shown that is nearest to a place, within so many pixels. */
+  vertexAt(x: number, y: number, reach: number): Point3 | undefined {
+    const placed = this.panes.at(x, y);
+    this.#settle();
+    return vertexAt(this.model, this.#view(placed), x - placed.left, y - placed.top, reach);
   }
 
   /** The objects in a window, whose corners are in pixels of the canvas. */

@@ -110,7 +110,8 @@ impl Actor {
         let scripts = Some(scripting.scripts());
         let beside = Beside::new(model);
         let model = beside.model().map(Arc::clone);
-        let options = Options { rules: editor.rules(), files, model, scripts, ..Options::default() };
+        let kept = Some(Arc::default());
+        let options = Options { rules: editor.rules(), files, model, scripts, kept, ..Options::default() };
         let (jobs, inbox) = channel();
         let back = own.clone();
         let worker = Worker::new(editor.document().as_ref().clone(), options, own);
@@ -202,7 +203,8 @@ impl Actor {
                 self.show_all(id);
             }
             Command::Leave(id) => {
-                self.clients.leave(id);
+                let held = self.clients.leave(id);
+                self.let_go(&held);
                 let _ = self.jobs.send(Job::Leave(id));
                 self.studies.end(id);
                 let seen = self.analysed.remove(&id).unwrap_or_default();
@@ -233,6 +235,16 @@ impl Actor {
             Command::Found(found) => self.found(found),
             Command::Assistant(asked) => self.assistant(asked),
             Command::Close(_) => {}
+        }
+    }
+
+    /// Lets particles go that somebody dragged who is gone.
+    fn let_go(&mut self, grabs: &[Uuid]) {
+        for grab in grabs {
+            if let Ok(difference) = self.editor.grab(*grab, None, &[]) {
+                let _ = self.jobs.send(Job::Drag(difference));
+                self.want(Work::Solve);
+            }
         }
     }
 

@@ -66,6 +66,15 @@ impl Actor {
                 let _ = self.jobs.send(Job::Press(difference));
                 self.want(Work::Solve);
             }
+            // The same of a particle that is dragged. What is let go is let go for a hand that is gone, too.
+            Ask::Edit { edit: Edit::Set { object, to: Setting::Grab { held } }, within, .. } => {
+                let difference = self.editor.grab(object, held, &within).map_err(told)?;
+                if let Some(client) = self.clients.get_mut(id) {
+                    client.holds(object, held.is_some());
+                }
+                let _ = self.jobs.send(Job::Drag(difference));
+                self.want(Work::Solve);
+            }
             Ask::Edit { edit, gesture, within } => {
                 let document = Arc::clone(self.editor.document());
                 let report = |id| self.reports.get(&id).cloned();

@@ -15,7 +15,19 @@ pub(super) struct Client {
     pub(super) within: Vec<Uuid>,
     /// Whether something is dragged there.
     pub(super) drags: bool,
+    /// The Grabs for which it drags particles.
+    grabs: Vec<Uuid>,
     pub(super) standing: Standing,
+}
+
+impl Client {
+    /// Notes that it drags a particle for a Grab, or has let it go.
+    pub(super) fn holds(&mut self, grab: Uuid, is_held: bool) {
+        self.grabs.retain(|held| *held != grab);
+        if is_held {
+            self.grabs.push(grab);
+        }
+    }
 }
 
 /// Whose page shows a document.
@@ -33,11 +45,12 @@ pub(super) struct Clients(HashMap<ClientId, Client>);
 
 impl Clients {
     pub(super) fn join(&mut self, id: ClientId, outbox: Arc<Outbox>, standing: Standing) {
-        self.0.insert(id, Client { outbox, within: Vec::new(), drags: false, standing });
+        self.0.insert(id, Client { outbox, within: Vec::new(), drags: false, grabs: Vec::new(), standing });
     }
 
-    pub(super) fn leave(&mut self, id: ClientId) {
-        self.0.remove(&id);
+    /// Somebody is gone; gives the Grabs for which it still dragged particles.
+    pub(super) fn leave(&mut self, id: ClientId) -> Vec<Uuid> {
+        self.0.remove(&id).map(|client| client.grabs).unwrap_or_default()
     }
 
     pub(super) fn get(&self, id: ClientId) -> Option<&Client> {

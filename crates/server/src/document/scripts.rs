@@ -116,6 +116,7 @@ fn may_bring_code(ask: &Ask) -> bool {
                     to: Setting::Number { .. }
                         | Setting::Switch { .. }
                         | Setting::Press { .. }
+                        | Setting::Grab { .. }
                         | Setting::Choose { .. }
                         | Setting::Colour { .. }
                         | Setting::Place { .. }

@@ -67,7 +67,9 @@ impl Actor {
                 return outbox.put(Event::Refused { seq, reason: ENDED.to_owned() });
             }
             let asked = Asked { client: id, seq, cancel, outbox: Arc::clone(&outbox), back };
-            let engine = engine.clone();
+            let mut engine = engine.clone();
+            // What a hand drags meanwhile is not the study's, nor the other way round.
+            engine.options_mut().kept = None;
             // The worker goes on with the document meanwhile.
             let begun = std::thread::Builder::new()
                 .name("study".to_owned())

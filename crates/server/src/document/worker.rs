@@ -25,6 +25,8 @@ pub(crate) enum Job {
     Change(Box<Change>),
     /// A button is held, or was let go.
     Press(Difference),
+    /// A particle of a solver is dragged, or was let go.
+    Drag(Difference),
     /// The Rhino model that parameters refer to is another, or there is none any more.
     Model(Option<Arc<RhinoModel>>),
     /// What runs scripts from now on; those of the document are solved anew.
@@ -138,6 +140,12 @@ impl Worker {
             Job::Change(change) => self.follow(&change),
             // One that does not fit is of a button that is gone.
             Job::Press(difference) => drop(self.engine.apply(&difference)),
+            // Each solve goes on from the one before, though the hand may rest.
+            Job::Drag(difference) => {
+                if self.engine.apply(&difference).is_ok() {
+                    difference.put.iter().for_each(|(at, _)| self.engine.expire(*at));
+                }
+            }
             Job::Model(model) => {
                 self.is_model_due = model.is_some();
                 self.engine.options_mut().model = model;

@@ -59,6 +59,14 @@ impl Document {
                 let _ = self.engine.apply(&difference);
                 self.want(Work::Solve);
             }
+            // The same of a particle that is dragged.
+            Ask::Edit { edit: Edit::Set { object, to: Setting::Grab { held } }, within, .. } => {
+                let difference = self.editor.grab(object, held, &within).map_err(told)?;
+                if self.engine.apply(&difference).is_ok() {
+                    difference.put.iter().for_each(|(at, _)| self.engine.expire(*at));
+                }
+                self.want(Work::Solve);
+            }
             Ask::Edit { edit, gesture, within } => {
                 let document = Arc::clone(self.editor.document());
                 let report = |id| self.reports.get(&id).cloned();

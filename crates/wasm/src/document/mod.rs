@@ -16,7 +16,7 @@ use katydid_component::RhinoModel;
 use katydid_data::text::Style;
 use katydid_session::protocol::{Event, ModelView, Notice};
 use katydid_session::{Change, Editor, Solution};
-use katydid_solver::{Engine, ObjectReport};
+use katydid_solver::{Engine, ObjectReport, Options};
 use katydid_studio::{Analyses, ClientId, Drafts, Form};
 use uuid::Uuid;
 
@@ -94,7 +94,8 @@ impl Document {
         editor.about_mut().locked = is_locked;
         let mut drafts = Drafts::default();
         drafts.touch_all(editor.document());
-        let engine = Engine::new(editor.document().as_ref().clone(), opening::options(editor.rules()));
+        let options = Options { kept: Some(Arc::default()), ..opening::options(editor.rules()) };
+        let engine = Engine::new(editor.document().as_ref().clone(), options);
         let mut document = Self {
             editor,
             engine,

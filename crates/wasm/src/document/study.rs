@@ -106,7 +106,12 @@ impl Document {
 impl Stage {
     fn slice(self, engine: &Engine, seq: u64) -> Result<Slice, String> {
         match self {
-            Self::Asked(question) => begin(question, engine.clone(), seq),
+            Self::Asked(question) => {
+                let mut engine = engine.clone();
+                // What a hand drags meanwhile is not the study's, nor the other way round.
+                engine.options_mut().kept = None;
+                begin(question, engine, seq)
+            }
             Self::Here { mut search, ranges } => {
                 let Some(here) = search.inquiry.effects_here(SLICE) else {
                     return Ok(Slice::more(Self::Here { search, ranges }));

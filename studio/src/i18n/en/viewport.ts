@@ -1,7 +1,7 @@
 export const viewport = {
   "viewport.label": "The model",
   "viewport.help":
-    "Drag with the right button to turn, with Shift to move, and use the wheel to zoom. Arrow keys turn the view, with Shift they move it; plus and minus zoom.",
+    "Drag with the right button to turn, with Shift to move, and use the wheel to zoom. Arrow keys turn the view, with Shift they move it; plus and minus zoom. Where the definition has a Grab, hold Alt and drag a point to pull it.",
   "viewport.toolbar": "Viewport",
   "viewport.cube": "Directions of view",
   "viewport.lookFrom": "Look from: {view}",
@@ -133,6 +133,7 @@ export const viewport = {
   "viewport.save": "Save picture",
   "viewport.pictureName": "viewport.png",
   "viewport.moreTexts": "{shown} of {all} texts are shown.",
+  "viewport.grab.held": "The solver goes on while you drag the point. Let go, or press Escape, to end.",
   "viewport.lost": "The graphics card took its memory back; the picture returns in a moment.",
   "viewport.noGraphics": "This browser has no WebGL 2, which the model is drawn with.",
   "viewport.failed": "The geometry of {object} could not be shown: {reason}.",

@@ -14,6 +14,7 @@ import { layerColours, layerGeometry } from "../layers";
 import { settingsStore, viewportStore } from "../settings";
 import { aim } from "../tools/aim";
 import { Drawer } from "../tools/drawer";
+import { Grabber } from "../tools/grabber";
 import { Gumball } from "../tools/gumball";
 import { PointHandles } from "../tools/pointHandles";
 import { PointerControls } from "../tools/pointer";
@@ -81,6 +82,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
   const gumball = new Gumball(host, viewport);
   const handles = new PointHandles(host, viewport);
   const section = new SectionHandle(host, viewport);
+  const grabber = new Grabber(host, viewport);
   const looker = new Looker();
   const size = () => radius(viewport.documentBounds() ?? [[0, 0, 0], [1, 1, 1]]);
   const shown = (name: string) => (preview: Preview | undefined) => (preview ? viewport.put(name, preview) : viewport.drop(name));
@@ -91,9 +93,10 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     gumball.place(placed);
     handles.place(placed);
     section.place(placed);
+    grabber.place();
     drawer.place();
   };
-  const controls = hands(viewport, host, probes, drawer);
+  const controls = hands(viewport, host, { probes, drawer, grabber });
   const stopPortraits = portray(viewport, host);
   return () => {
     stopPortraits();
@@ -104,6 +107,7 @@ export function openViewport(host: HTMLElement, options: Options = {}): () => vo
     gumball.dispose();
     handles.dispose();
     section.dispose();
+    grabber.dispose();
     drawer.dispose();
     frames.dispose();
     for (const stop of stops) stop();
@@ -152,7 +156,13 @@ function followTheme(changed: () => void): () => void {
   };
 }
 
-function hands(viewport: Viewport, host: HTMLElement, probes: Probes, drawer: Drawer): PointerControls {
+interface Tools {
+  probes: Probes;
+  drawer: Drawer;
+  grabber: Grabber;
+}
+
+function hands(viewport: Viewport, host: HTMLElement, { probes, drawer, grabber }: Tools): PointerControls {
   const { panes } = viewport;
   const band = document.createElement("div");
   band.className = "viewport-window";
@@ -190,6 +200,9 @@ function hands(viewport: Viewport, host: HTMLElement, probes: Probes, drawer: Dr
       choose(pick ? [pick.object] : [], how);
     },
     mark: (x, y) => probes.pin(viewport.pickAt(x, y)),
+    hold: (x, y) => !drawer.isOn() && grabber.begin(x, y),
+    drag: (x, y) => grabber.move(x, y),
+    letGo: () => grabber.end(),
     window(corners, done, how) {
       if (drawer.isOn()) return;
       band.hidden = done || !corners;

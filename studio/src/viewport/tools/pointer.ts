@@ -18,6 +18,11 @@ export interface PointerTarget {
   click(x: number, y: number, how: "replace" | "add" | "remove"): void;
   /** A click with Alt: to keep what is under the pointer. */
   mark(x: number, y: number): void;
+  /** A press with Alt goes on: whether it takes hold of something that can be dragged. */
+  hold(x: number, y: number): boolean;
+  /** What is held goes there. */
+  drag(x: number, y: number): void;
+  letGo(): void;
   /** A window is drawn; `done` when the button goes up, undefined corners when it is abandoned. */
   window(corners: [number, number, number, number] | undefined, done: boolean, how: "replace" | "add" | "remove"): void;
   /** Plan views are moved, not turned, by the right button. */
@@ -26,7 +31,7 @@ export interface PointerTarget {
   trackpad(): boolean;
 }
 
-type Gesture = "none" | "orbit" | "pan" | "press" | "window" | "pinch";
+type Gesture = "none" | "orbit" | "pan" | "press" | "window" | "hold" | "pinch";
 
 /** A press that moves by less than this is a click. */
 const SLACK = 4;
@@ -110,10 +115,12 @@ export class PointerControls {
     const isFar = Math.hypot(x - this.#start[0], y - this.#start[1]) >= SLACK;
     if (this.#gesture === "press" && isFar) {
       const isTouch = event.pointerType === "touch";
-      this.#gesture = isTouch ? (this.#target.isPlan(pane) ? "pan" : "orbit") : "window";
+      if (event.altKey && this.#target.hold(...this.#start)) this.#gesture = "hold";
+      else this.#gesture = isTouch ? (this.#target.isPlan(pane) ? "pan" : "orbit") : "window";
     }
     if (this.#gesture === "orbit") this.#target.orbit(pane, dx, dy);
     else if (this.#gesture === "pan") this.#target.pan(pane, dx, dy);
+    else if (this.#gesture === "hold") this.#target.drag(x, y);
     else if (this.#gesture === "window") this.#target.window([...this.#start, x, y], false, how(event));
   }
 
@@ -125,6 +132,7 @@ export class PointerControls {
     this.#gesture = "none";
     if (gesture === "press" && event.altKey) this.#target.mark(...this.#start);
     else if (gesture === "press") this.#target.click(...this.#start, how(event));
+    else if (gesture === "hold") this.#target.letGo();
     else if (gesture === "window") this.#target.window([...this.#start, x, y], true, how(event));
     if (event.pointerType === "mouse") this.#target.hover(x, y);
   }
@@ -132,6 +140,7 @@ export class PointerControls {
   #cancel(pointer?: number): void {
     if (pointer !== undefined) this.#fingers.delete(pointer);
     if (this.#gesture === "window") this.#target.window(undefined, true, "replace");
+    if (this.#gesture === "hold") this.#target.letGo();
     this.#gesture = "none";
   }
 
