@@ -1,7 +1,9 @@
-//! LunchBox: panels and structures on surfaces, and spreadsheets.
+//! LunchBox: panels and structures on surfaces, surfaces by formulas, tools for lists, curves and meshes, and spreadsheets.
 
+mod forms;
 mod panels;
 mod sheets;
+mod solids;
 mod structures;
 #[cfg(test)]
 mod tests;
