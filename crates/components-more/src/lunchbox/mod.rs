@@ -1,10 +1,15 @@
 //! LunchBox: panels and structures on surfaces, surfaces by formulas, tools for lists, curves and meshes, and spreadsheets.
 
+mod attract;
 mod forms;
+mod frame;
+mod grids;
 mod panels;
 mod sheets;
 mod solids;
+mod space;
 mod structures;
+mod subdivide;
 #[cfg(test)]
 mod tests;
 mod truss;

@@ -6,7 +6,7 @@ use katydid_geometry::{Line, Point3, Surface};
 use super::Lattice;
 
 /// The lines of a lattice with its nodes at the corners of cells.
-fn grid(lattice: &Lattice<'_>) -> (Vec<Line>, Vec<Point3>) {
+pub(super) fn grid(lattice: &Lattice<'_>) -> (Vec<Line>, Vec<Point3>) {
     let [m, n] = lattice.cells;
     let (mut lines, mut nodes) = (Vec::new(), Vec::new());
     for i in 0..=m {

@@ -1,6 +1,6 @@
 use katydid_component::testing::Trial;
 use katydid_data::Value;
-use katydid_geometry::{Direction, NurbsSurface, Point3, Surface};
+use katydid_geometry::{Curve, Direction, NurbsSurface, Point3, PolylineCurve, Surface};
 
 /// A flat sheet of 6 by 4.
 fn sheet() -> Value {
@@ -56,4 +56,141 @@ fn structures_have_their_lines() {
     assert_eq!(count("Diagrid Structure"), [48, 32]);
     let cells = Trial::of("Hexagon Cells").item(sheet()).item(4).item(3).run();
     assert_eq!(cells.outputs[0].item_count(), 4 + 3 + 4);
+}
+
+fn counts(trial: Trial) -> Vec<usize> {
+    trial.run().outputs.iter().map(|tree| tree.item_count()).collect()
+}
+
+fn points(tree: &katydid_data::Tree) -> Vec<Point3> {
+    let point = |item| match item {
+        Some(Value::Point(p)) => p,
+        other => panic!("{other:?}"),
+    };
+    tree.column().iter().map(point).collect()
+}
+
+#[test]
+fn space_trusses_have_two_layers() {
+    // 4 by 3 cells: 31 lines and 20 nodes on the surface, 12 nodes over the middles with 17 lines between them, 48 struts.
+    let one = || Trial::of("Space Truss Structure 1").item(sheet()).item(4).item(3).item(1.5);
+    assert_eq!(counts(one()), [31, 17, 48, 32]);
+    let out = one().run().outputs;
+    for (k, node) in points(&out[3]).iter().enumerate() {
+        assert!((node.z - if k < 20 { 0.0 } else { 1.5 }).abs() < 1e-12);
+    }
+    for item in out[2].column().iter() {
+        let Some(Value::Line(strut)) = item else { panic!("{item:?}") };
+        // Half of 1.5 by 4/3 across, 1.5 up.
+        let wanted = (0.75_f64 * 0.75 + 4.0 / 9.0 + 2.25).sqrt();
+        assert!((strut.length() - wanted).abs() < 1e-9, "{strut:?}");
+    }
+    let two = Trial::of("Space Truss Structure 2").item(sheet()).item(sheet()).item(1).item(2);
+    assert_eq!(counts(two), [7, 1, 8, 8]);
+    let endless = Trial::of("Space Truss Structure 1").item(sheet()).item(4).item(3).item(f64::NAN);
+    assert!(endless.message().contains("depth"));
+    let many = Trial::of("Space Truss Structure 2").item(sheet()).item(sheet()).item(i32::MAX);
+    assert!(many.message().contains("from 1 to"));
+}
+
+#[test]
+fn hexagons_share_their_sides() {
+    for turned in [false, true] {
+        let trial = || Trial::of("Hexagonal Structure").item(sheet()).item(4).item(3).item(0.5).item(turned);
+        let (lines, nodes) = (counts(trial())[0], counts(trial())[1]);
+        // Euler, of a net without holes: nodes − lines + cells = 1.
+        let cells = if turned { 3 + 2 + 3 + 2 } else { 4 + 3 + 4 };
+        assert_eq!(nodes + cells, lines + 1, "{turned}");
+    }
+    // One cell alone.
+    assert_eq!(counts(Trial::of("Hexagonal Structure").item(sheet()).item(1).item(1)), [6, 6]);
+    let wrong = Trial::of("Hexagonal Structure").item(sheet()).item(4).item(3).item(2.0);
+    assert!(wrong.message().contains("from 0 to 1"));
+}
+
+#[test]
+fn corners_of_panels() {
+    for (name, count) in [("Quad Grid", 12), ("Diamond Grid", 12 + 6)] {
+        let out = Trial::of(name).item(sheet()).item(4).item(3).run().outputs;
+        assert_eq!(out.iter().map(|tree| tree.item_count()).collect::<Vec<_>>(), [count; 6], "{name}");
+        let lists: Vec<Vec<Point3>> = out[..5].iter().map(points).collect();
+        let area: f64 =
+            (0..count).map(|k| 0.5 * (lists[2][k] - lists[0][k]).cross(lists[3][k] - lists[1][k]).z).sum();
+        // Quads are all of the sheet; diamonds are half a cell each.
+        let wanted = if name == "Quad Grid" { 24.0 } else { 18.0 };
+        assert!((area - wanted).abs() < 1e-9, "{name}: {area}");
+        for item in out[5].column().iter() {
+            let Some(Value::Vector(normal)) = item else { panic!("{item:?}") };
+            assert!((normal.z - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+fn triangle() -> Value {
+    let at = |x: f64, y: f64| Point3::new(x, y, 0.0);
+    let corners = vec![at(0., 0.), at(6., 0.), at(0., 4.), at(0., 0.)];
+    Value::from(Curve::Polyline(PolylineCurve::new(corners).unwrap()))
+}
+
+#[test]
+fn panels_are_cut_without_gaps() {
+    let yes = |trial: Trial, all: [bool; 4]| all.into_iter().fold(trial, |trial, on| trial.item(on));
+    for all in [[true, false, true, false], [true; 4], [false; 4]] {
+        let (count, sum) = area(yes(Trial::of("Subdivide Quad").item(sheet()).item(3), all).item(false), 2);
+        let going = all.iter().filter(|on| **on).count();
+        let staying = 4 - going;
+        assert_eq!(count, going.pow(3) + staying * (1 + going + going.pow(2)), "{all:?}");
+        assert!((sum - 24.0).abs() < 1e-9, "{sum}");
+    }
+    let cells = |wires: bool| {
+        yes(Trial::of("Subdivide Triangle").item(triangle()).item(4), [true, true, true, false]).item(wires)
+    };
+    assert_eq!(counts(cells(true)), [81, 1 + 3 + 9 + 27]);
+    let (_, sum) = area(cells(false), 2);
+    assert!((sum - 12.0).abs() < 1e-9, "{sum}");
+    for (strips, count) in [(false, 64), (true, 27)] {
+        let trial = Trial::of("Constant Quad Subdivide").item(sheet()).item(3).item(strips).item(false);
+        let (found, sum) = area(trial, 1);
+        assert_eq!(found, count);
+        assert!((sum - 24.0).abs() < 1e-9, "{sum}");
+    }
+    assert!(Trial::of("Subdivide Quad").item(sheet()).item(-1).message().contains("from 0 to 20"));
+    let huge = yes(Trial::of("Subdivide Quad").item(sheet()).item(20), [true; 4]);
+    assert!(!huge.message().is_empty());
+    assert!(Trial::of("Subdivide Triangle").item(sheet()).item(1).message().contains("3 corners, not 4"));
+    assert!(Trial::of("Subdivide Triangle").item(3.0).item(1).message().contains("closed polyline"));
+}
+
+#[test]
+fn frames_leave_the_scaled_panel() {
+    for (value, whole) in [(sheet(), 24.0), (triangle(), 12.0)] {
+        let out = Trial::of("Panel Frame").item(value).item(0.5).run().outputs;
+        let area = |k: usize| match out[k].column().get(0) {
+            Some(Value::Brep(brep)) => brep.area_properties(1e-9, || true).unwrap().amount,
+            other => panic!("{other:?}"),
+        };
+        assert!((area(0) - 0.75 * whole).abs() < 1e-6);
+        assert!((area(1) - 0.25 * whole).abs() < 1e-6);
+    }
+    for scale in [0.0, 1.0, f64::NAN] {
+        assert!(Trial::of("Panel Frame").item(sheet()).item(scale).message().contains("between 0 and 1"));
+    }
+}
+
+#[test]
+fn ports_are_told_by_their_short_names() {
+    use katydid_component::parts::Uuid;
+    let of = |name: &str, inputs: &[(&str, &str)], outputs: &[(&str, &str)]| {
+        let found = katydid_component::stand_in(Uuid::from_u128(1), Some("LunchBox"), name, inputs, outputs);
+        let found = found.unwrap_or_else(|| panic!("{name}"));
+        let places = (0..inputs.len()).map(|k| found.input_place(k));
+        (places.collect::<Vec<_>>(), (0..outputs.len()).map(|k| found.output_place(k)).collect::<Vec<_>>())
+    };
+    // Two ports of one full name each.
+    let inputs = [("U Divisions", "U"), ("R Parameter", "a"), ("R Parameter", "b"), ("Scale", "S")];
+    let (places, _) = of("Hyperbolic Paraboloid", &inputs, &[]);
+    assert_eq!(places, [Some(0), Some(2), Some(3), Some(4)]);
+    let outputs = [("Primary Lines", "LinesA"), ("Primary Lines", "LinesB"), ("Web Lines", "Web")];
+    let (_, places) = of("Space Truss Structure 1", &[("Surface", "Srf")], &outputs);
+    assert_eq!(places, [Some(0), Some(1), Some(2)]);
 }

@@ -175,8 +175,10 @@ export const kangaroo2: Tab = {
 
 export const lunchbox: Tab = {
   "LunchBox Panels": {
+    "Diamond Grid": panels("DG"),
     "Diamond Panels": panels("DP"),
     "Hexagon Cells": panels("HC"),
+    "Quad Grid": panels("QG"),
     "Quad Panels": panels("QP"),
     "Random Quad Panels": panels("RQ"),
     "Skewed Quads": panels("SQ"),
@@ -191,6 +193,9 @@ export const lunchbox: Tab = {
     "Braced Grid 2D Structure": frame("BS"),
     "Diagrid Structure": frame("DS"),
     "Grid Structure": frame("GS"),
+    "Hexagonal Structure": frame("HS"),
+    "Space Truss Structure 1": frame("S1"),
+    "Space Truss Structure 2": frame("S2"),
   },
   Math: {
     "3D Supershape": soft("SS"),
@@ -206,6 +211,14 @@ export const lunchbox: Tab = {
     "Platonic Icosahedron": solid("PI"),
     "Platonic Octahedron": solid("PO"),
     "Platonic Tetrahedron": solid("PT"),
+  },
+  Generate: {
+    Attractor: points("At"),
+    "Attractor Wave": wave("AW"),
+    "Constant Quad Subdivide": panels("CQ"),
+    "Panel Frame": panels("PF"),
+    "Subdivide Quad": panels("QS"),
+    "Subdivide Triangle": panels("ST"),
   },
   Workflow: {
     "Excel Reader": rows("ER"),
