@@ -1,15 +1,21 @@
 //! LunchBox: panels and structures on surfaces, surfaces by formulas, tools for lists, curves and meshes, and spreadsheets.
 
 mod attract;
+mod curves;
 mod forms;
 mod frame;
 mod grids;
+mod learn;
+mod lists;
+mod meshes;
 mod panels;
+mod parts;
 mod sheets;
 mod solids;
 mod space;
 mod structures;
 mod subdivide;
+mod surfaces;
 #[cfg(test)]
 mod tests;
 mod truss;

@@ -4,6 +4,7 @@ use katydid_component::{Context, Message, component};
 use katydid_data::Value;
 use katydid_geometry::{Curve, Point3, PolylineCurve, Surface};
 
+use super::lists::Chance;
 use super::{Lattice, panel};
 
 /// A component whose panels are one list.
@@ -188,18 +189,10 @@ fn random_panels(
         .tell(Message::remark("The random widths are Katydid's own: LunchBox has others for the same seed"));
     let lattice = Lattice::new(context, surface, u, v)?;
     let [m, n] = lattice.cells;
-    let mut state = u64::from(seed.cast_unsigned()).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    // SplitMix64 (G. Steele and others, *Fast splittable pseudorandom number generators*, 2014).
-    let mut chance = || {
-        state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut chance = Chance::new(seed);
     let mut panels = Vec::new();
     for j in 0..n {
-        let widths: Vec<f64> = (0..m).map(|_| 0.25 + chance()).collect();
+        let widths: Vec<f64> = (0..m).map(|_| 0.25 + chance.draw()).collect();
         let whole: f64 = widths.iter().sum();
         let (low, high) = (j as f64 / n as f64, (j + 1) as f64 / n as f64);
         let mut from = 0.0;

@@ -1,6 +1,6 @@
 use katydid_component::testing::Trial;
 use katydid_data::Value;
-use katydid_geometry::{Curve, Direction, NurbsSurface, Point3, PolylineCurve, Surface};
+use katydid_geometry::{Curve, Direction, NurbsSurface, Plane, Point3, PolylineCurve, Surface};
 
 /// A flat sheet of 6 by 4.
 fn sheet() -> Value {
@@ -175,6 +175,50 @@ fn frames_leave_the_scaled_panel() {
     for scale in [0.0, 1.0, f64::NAN] {
         assert!(Trial::of("Panel Frame").item(sheet()).item(scale).message().contains("between 0 and 1"));
     }
+}
+
+#[test]
+fn surfaces_turned_flattened_and_joined() {
+    let at = Point3::new;
+    let twisted = NurbsSurface::from_corners(at(0., 0., 0.), at(2., 0., 1.), at(2., 2., 0.), at(0., 2., 1.));
+    let twisted = Value::from(std::sync::Arc::new(Surface::from(twisted.unwrap())));
+    let out = Trial::of("Flatness Check").list([sheet(), twisted]).run().outputs;
+    let deviations: Vec<f64> = out[2]
+        .column()
+        .iter()
+        .map(|item| match item {
+            Some(Value::Number(x)) => x,
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    // Corners by turns half above and half below the plane in the middle.
+    assert!(deviations[0].abs() < 1e-12 && (deviations[1] - 0.5).abs() < 1e-9, "{deviations:?}");
+    let corner = |option: i32| {
+        let run = Trial::of("Reverse Surface Direction").item(sheet()).item(option).run();
+        let Some(Value::Surface(surface)) = run.outputs[0].column().get(0) else { panic!() };
+        let [u, v] = [Direction::U, Direction::V].map(|d| surface.domain(d));
+        let p = surface.point_at(u.start, v.start);
+        [p.x, p.y]
+    };
+    assert_eq!([0, 1, 2, 3].map(corner), [[0., 0.], [6., 0.], [0., 4.], [6., 4.]]);
+    assert!(Trial::of("Reverse Surface Direction").item(sheet()).item(4).message().contains("0, 1, 2 or 3"));
+    let plane = Plane::XY.with_origin(at(1., 2., 3.)).rotated(std::f64::consts::FRAC_PI_2);
+    let relative = Trial::of("Relative Coordinates").item(plane).item(at(1., 5., 4.));
+    assert_eq!(relative.texts(0), ["{0}: {3, 0, 1}"]);
+    let rebuilt = Trial::of("Rebuild Surface").item(sheet()).item(2).item(3).item(5).item(6).run();
+    let Some(Value::Surface(surface)) = rebuilt.outputs[0].column().get(0) else { panic!() };
+    let Surface::Nurbs(nurbs) = &*surface else { panic!() };
+    assert_eq!([nurbs.degree(Direction::U), nurbs.degree(Direction::V)], [2, 3]);
+    assert!(Trial::of("Rebuild Surface").item(sheet()).item(3).item(3).item(3).message().contains("from 4"));
+    assert!(Trial::of("Rebuild Surface").item(sheet()).item(0).message().contains("from 1 to 11"));
+    let halves = Trial::of("Quad Panels").item(sheet()).item(2).item(1).run().outputs[0].clone();
+    let joined = Trial::of("Brep Join with Tolerance").tree(halves).item(0.01).run();
+    assert_eq!(joined.outputs[0].item_count(), 1);
+    let wrong = Trial::of("Brep Join with Tolerance").list([sheet()]).item(0.0);
+    assert!(wrong.message().contains("greater than 0"));
+    let patch = Trial::of("Patch Surface").list([triangle()]).item(4).item(4).run();
+    assert_eq!(patch.outputs[0].item_count(), 1);
+    assert!(Trial::of("Patch Surface").list([triangle()]).item(0).message().contains("from 1 to 100"));
 }
 
 #[test]
