@@ -130,11 +130,23 @@ fn solid(
     }
     let tolerance = context.tolerance();
     let small = || Message::error("An edge of the solid is shorter than the tolerance of the document");
-    let mut faces = Vec::new();
-    for ring in kind.rings(if cut < SAME { 0.0 } else { cut }) {
-        let at = |v: &Vector3| -> Point3 { plane.at(radius * v.x, radius * v.y, radius * v.z) };
-        let mut points: Vec<Point3> = ring.iter().map(at).collect();
-        points.extend(points.first().copied());
+    let at = |v: &Vector3| -> Point3 { plane.at(radius * v.x, radius * v.y, radius * v.z) };
+    let closed = |ring: Vec<Vector3>| -> Vec<Point3> { ring.iter().chain(ring.first()).map(at).collect() };
+    let outlines: Vec<Vec<Point3>> =
+        kind.rings(if cut < SAME { 0.0 } else { cut }).into_iter().map(closed).collect();
+    // Far from the origin numbers lie farther apart than the tolerance, and corners fall together.
+    let is_fine = |p: &Point3| [p.x, p.y, p.z].iter().all(|x| x.abs() * f64::EPSILON < tolerance.absolute);
+    if !outlines.iter().flatten().all(is_fine) {
+        return Err(Message::error(
+            "The solid lies too far from the origin for the tolerance of the document",
+        ));
+    }
+    let is_long = |(a, b): (&Point3, &Point3)| a.distance_to(*b) > tolerance.absolute;
+    if !outlines.iter().all(|points| points.iter().zip(points.iter().skip(1)).all(is_long)) {
+        return Err(small());
+    }
+    let mut faces = Vec::with_capacity(outlines.len());
+    for points in outlines {
         let outline = Curve::Polyline(PolylineCurve::new(points).map_err(|_| small())?);
         faces.extend(Brep::planar_faces(&[outline], &tolerance)?.breps);
     }
@@ -310,5 +322,7 @@ mod tests {
         assert!(of(1.0, 1.5).contains("from 0 to 1"));
         assert!(of(1.0, f64::NAN).contains("from 0 to 1"));
         assert!(of(1e-7, 0.0).contains("shorter than the tolerance"));
+        let far = Plane::XY.with_origin(Point3::new(f64::MAX, 0.0, 0.0));
+        assert!(Trial::of("Platonic Octahedron").item(far).message().contains("too far from the origin"));
     }
 }
