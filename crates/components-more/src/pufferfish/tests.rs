@@ -186,6 +186,13 @@ fn grids_have_the_cells_of_their_parameters() {
     assert_eq!([run.outputs[0].item_count(), run.outputs[1].item_count()], [6, 12]);
     assert_eq!(grid("Parameter Point Divide Surface").run().outputs[0].branch_count(), 3);
     assert_eq!(grid("Parameter Subdivide Surface").run().outputs[0].item_count(), 6);
+    let divided = |us: &[f64]| {
+        let trial = Trial::of("Parameter Subdivide Surface").item(flat.clone());
+        trial.list(us.to_vec()).list([0.0, 0.5, 1.0]).run()
+    };
+    assert_eq!(divided(&[1.0, 0.25, 0.0]).outputs[0], divided(&[0.0, 0.25, 1.0]).outputs[0]);
+    assert_eq!(divided(&[1.0, 0.25, 0.0]).outputs[0].item_count(), 4);
+    assert!(divided(&[0.5, 0.5]).messages.iter().any(|m| m.text.contains("two different parameters")));
     let net = Trial::of("Net On Surface").item(flat).item(5).item(4).item(false).run();
     assert_eq!(net.outputs[0].item_count(), 5);
 }
