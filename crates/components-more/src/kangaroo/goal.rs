@@ -29,13 +29,18 @@ impl Pull {
 /// is a force gives the equilibrium of these forces: Bouaziz and others, *Projective Dynamics* (2014); Piker, *Kangaroo*
 /// (2013).
 pub(super) trait Rule: fmt::Debug + Send + Sync {
-    /// Writes a pull for each point. `memory` is what the rule keeps from step to step, such as a rest length that has
-    /// given way; `step` counts from 0.
+    /// Writes a pull for each point; one without weight where it lets a point go. `memory` is what the rule keeps from step
+    /// to step, such as a rest length that has given way; `step` counts from 0.
     fn pull(&self, points: &[Point3], memory: &mut [f64], step: usize, pulls: &mut [Pull]);
 
     /// What `memory` begins with.
     fn memory(&self) -> Vec<f64> {
         Vec::new()
+    }
+
+    /// Whether its points keep each other away, so that one that comes free has been pushed by others.
+    fn is_mutual(&self) -> bool {
+        false
     }
 
     /// What the goal shows for its points: an item of the solver's output.

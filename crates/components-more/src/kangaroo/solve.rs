@@ -28,7 +28,11 @@ pub(super) struct System {
     /// The particles of all goals, one goal after another.
     particles: Vec<usize>,
     pulls: Vec<Pull>,
+    /// Which of them had a weight in the step before.
+    held: Vec<bool>,
     sums: Vec<(Vector3, f64)>,
+    /// Particles that a goal has let go of in this step.
+    freed: Vec<bool>,
     at: Vec<Point3>,
     pub(super) steps: usize,
     /// Goals' items in order, with their numbers; what was no goal has none.
@@ -111,7 +115,9 @@ impl System {
             goals: Vec::new(),
             particles: Vec::new(),
             pulls: Vec::new(),
+            held: Vec::new(),
             sums: Vec::new(),
+            freed: Vec::new(),
             at: Vec::new(),
             steps: 0,
             order: Vec::new(),
@@ -168,7 +174,9 @@ impl System {
         }
         system.speeds = vec![Vector3::ZERO; count];
         system.sums = vec![(Vector3::ZERO, 0.0); count];
+        system.freed = vec![false; count];
         system.pulls = vec![Pull::NONE; system.particles.len()];
+        system.held = vec![false; system.particles.len()];
         Ok(system)
     }
 
@@ -186,16 +194,19 @@ impl System {
             *p += *v;
         }
         self.gather();
+        self.find_freed();
         let keeps = match motion {
             Motion::ToRest => 1.0,
             Motion::Inertia(share) => share,
         };
         let mut total = 0.0;
         let particles = self.points.iter_mut().zip(&mut self.speeds).zip(&before);
-        for (((p, v), old), (sum, weight)) in particles.zip(&self.sums) {
-            if matches!(motion, Motion::ToRest) && *weight == 0.0 {
-                // Nothing pulls it here: its speed has carried it past what it kept out of, or it would go on for ever.
-                // The step counts as a move, so that what pulls where it was is seen before all is said to rest.
+        for (((p, v), old), ((sum, weight), freed)) in particles.zip(self.sums.iter().zip(&self.freed)) {
+            if matches!(motion, Motion::ToRest) && *freed && *v != Vector3::ZERO {
+                // Its speed has carried it past where a goal stops to work, such as past contact, and nothing of that goal
+                // would bring it back: the move is taken back and the speed out, as accelerated descent is restarted
+                // (B. O'Donoghue and E. Candès, *Adaptive restart for accelerated gradient schemes*, 2015). It counts as a
+                // move, so that what pulls where it was is seen before all is said to rest.
                 total += v.length_squared();
                 (*p, *v) = (*old, Vector3::ZERO);
                 continue;
@@ -254,6 +265,33 @@ impl System {
             if pull.weight.is_finite() && pull.by.is_finite() {
                 sum.0 += pull.by * pull.weight;
                 sum.1 += pull.weight.abs();
+            }
+        }
+    }
+
+    /// Finds the particles that a goal has let go of since the step before; all of a goal whose points keep each other away.
+    fn find_freed(&mut self) {
+        self.freed.fill(false);
+        for goal in &self.goals {
+            let range = goal.from..goal.to;
+            let (Some(particles), Some(pulls), Some(held)) =
+                (self.particles.get(range.clone()), self.pulls.get(range.clone()), self.held.get_mut(range))
+            else {
+                continue;
+            };
+            let mut any = false;
+            for ((&i, pull), held) in particles.iter().zip(pulls).zip(held) {
+                let was_held = std::mem::replace(held, pull.weight != 0.0);
+                if was_held && pull.weight == 0.0 {
+                    any = true;
+                    self.freed.get_mut(i).into_iter().for_each(|freed| *freed = true);
+                }
+            }
+            let mutual = |goal: &Goal| goal.rule.is_mutual();
+            if any && goal.keeper.as_any().downcast_ref::<Goal>().is_some_and(mutual) {
+                for &i in particles {
+                    self.freed.get_mut(i).into_iter().for_each(|freed| *freed = true);
+                }
             }
         }
     }

@@ -323,3 +323,33 @@ fn duplicates_and_corners() {
     let split = Trial::of("SplitAtCorners").item(Curve::Polyline(corner)).run();
     assert_eq!([split.outputs[0].item_count(), split.outputs[1].item_count()], [1, 2]);
 }
+
+/// Spheres that overlap rest in contact, whether or not another goal works on them too; those apart stay where they are.
+#[test]
+fn spheres_that_overlap_rest_in_contact() {
+    for gap in [0.1, 0.5, 1.3, 1.99, 2.5] {
+        let two = vec![p(0.0, 0.0, 0.0), p(gap, 0.0, 0.0)];
+        let spheres = goals(Trial::of("SphereCollide").list(two.clone()).item(1.0));
+        let thick = goals(Trial::of("Collider").list(two.clone()).list([0.7, 1.3]));
+        let plane = goals(Trial::of("OnPlane").list(two.clone()));
+        for apart in [spheres, thick] {
+            for others in [Vec::new(), plane.clone(), anchor(two[0])] {
+                let at = points(&solved([apart.clone(), others].concat()));
+                near(at[0].distance_to(at[1]), gap.max(2.0), 1e-6);
+            }
+        }
+    }
+}
+
+/// Two thick sticks across each other, whose lengths are kept.
+#[test]
+fn sticks_rest_in_contact() {
+    let first = Line::new(p(-5.0, 0.0, 0.3), p(5.0, 0.0, 0.3));
+    let second = Line::new(p(0.2, -5.0, -0.3), p(0.2, 5.0, -0.3));
+    let mut all = goals(Trial::of("Collider").list([first, second]).item(0.8));
+    all.extend([first, second].iter().flat_map(|l| spring(l.from, l.to, 10.0, 10.0)));
+    let at = points(&solved(all));
+    let [u, v] = [at[1] - at[0], at[3] - at[2]];
+    let across = u.cross(v).unitized().unwrap();
+    near((at[0] - at[2]).dot(across).abs(), 1.6, 1e-3);
+}
