@@ -140,16 +140,32 @@ struct Chosen {
 }
 
 impl Rule for Chosen {
-    fn pull(&self, points: &[Point3], _: &mut [f64], _: usize, pulls: &mut [Pull]) {
-        let [a, b, ..] = points else { return };
+    /// Which bound was exceeded in the step before: −1 the lower, 1 the upper, 0 none.
+    fn memory(&self) -> Vec<f64> {
+        vec![0.0]
+    }
+
+    fn pull(&self, points: &[Point3], memory: &mut [f64], _: usize, pulls: &mut [Pull]) {
+        let ([a, b, ..], [before, ..]) = (points, memory) else { return };
         let length = a.distance_to(*b);
         let rest = match self.choice {
             Choice::Between(low, high) => length.clamp(low, high),
             Choice::Multiple(factor) => (length / factor).round() * factor,
         };
-        if rest != length || matches!(self.choice, Choice::Multiple(_)) {
-            stretch(points, rest, self.strength, pulls);
+        if matches!(self.choice, Choice::Between(..)) {
+            let exceeded = if length == rest { 0.0 } else { (length - rest).signum() };
+            let leapt = exceeded * *before < 0.0;
+            *before = if leapt { 0.0 } else { exceeded };
+            // From beyond one bound to beyond the other there are lengths at which it lets go.
+            if leapt || exceeded == 0.0 {
+                return;
+            }
         }
+        stretch(points, rest, self.strength, pulls);
+    }
+
+    fn is_mutual(&self) -> bool {
+        true
     }
 
     fn shown(&self, points: &[Point3]) -> Option<Value> {

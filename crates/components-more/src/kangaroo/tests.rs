@@ -324,6 +324,20 @@ fn duplicates_and_corners() {
     assert_eq!([split.outputs[0].item_count(), split.outputs[1].item_count()], [1, 2]);
 }
 
+fn line(a: Point3, b: Point3) -> Curve {
+    Curve::Line(LineCurve::new(Line::new(a, b)))
+}
+
+/// Each length ends at the bound that it exceeds; from 9 the first step leads just past the other bound.
+#[test]
+fn lengths_are_clamped_to_the_bound_exceeded() {
+    for (length, wanted) in [(1.0, 3.0), (2.2, 3.0), (4.5, 4.5), (7.0, 6.0), (9.0, 6.0), (20.0, 6.0)] {
+        let clamp = Trial::of("ClampLength").item(line(p(0.0, 0.0, 0.0), p(length, 0.0, 0.0)));
+        let at = points(&solved(goals(clamp.item(3.0).item(6.0))));
+        near(at[0].distance_to(at[1]), wanted, 1e-9);
+    }
+}
+
 /// Spheres that overlap rest in contact, whether or not another goal works on them too; those apart stay where they are.
 #[test]
 fn spheres_that_overlap_rest_in_contact() {
