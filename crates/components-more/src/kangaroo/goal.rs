@@ -38,6 +38,12 @@ pub(super) trait Rule: fmt::Debug + Send + Sync {
         Vec::new()
     }
 
+    /// Gives way to points that are at rest, as what is plastic does; whether it did. While points move they may swing
+    /// farther than they are pulled, which bends nothing for good.
+    fn give_way(&self, _points: &[Point3], _memory: &mut [f64]) -> bool {
+        false
+    }
+
     /// Whether its points keep each other away, so that one that comes free has been pushed by others.
     fn is_mutual(&self) -> bool {
         false

@@ -5,7 +5,7 @@ use katydid_data::Value;
 use katydid_geometry::{Curve, Line, Mesh, Point3, Vector3};
 
 use super::goal::{Place, finite};
-use super::thresholds::SHORTEST;
+use super::thresholds::{GIVES_WAY, SHORTEST};
 use super::{Goal, Pull, Rule};
 
 /// The ends of a curve, which stands for a segment.
@@ -227,6 +227,17 @@ fn length_snap(
     Goal::item("Kangaroo goal: LengthSnap", ends(line).to_vec(), rule)
 }
 
+/// Moves what is kept at rest after a state that is farther off than a limit, by what exceeds the limit; whether it did.
+pub(super) fn yielded(rest: &mut f64, state: f64, limit: f64) -> bool {
+    let off = state - *rest;
+    let beyond = off.abs() - limit;
+    if !(beyond > GIVES_WAY * (off.abs() + rest.abs())) {
+        return false;
+    }
+    *rest += beyond.copysign(off);
+    true
+}
+
 /// A spring whose rest length gives way.
 #[derive(Debug)]
 struct Plastic {
@@ -241,10 +252,13 @@ impl Rule for Plastic {
     }
 
     fn pull(&self, points: &[Point3], memory: &mut [f64], _: usize, pulls: &mut [Pull]) {
-        let ([a, b, ..], [rest, ..]) = (points, memory) else { return };
-        let length = a.distance_to(*b);
-        *rest = rest.clamp(length - self.limit, length + self.limit);
+        let [rest, ..] = memory else { return };
         stretch(points, *rest, self.strength, pulls);
+    }
+
+    fn give_way(&self, points: &[Point3], memory: &mut [f64]) -> bool {
+        let ([a, b, ..], [rest, ..]) = (points, memory) else { return false };
+        yielded(rest, a.distance_to(*b), self.limit)
     }
 
     fn shown(&self, points: &[Point3]) -> Option<Value> {

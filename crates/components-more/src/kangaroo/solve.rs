@@ -296,7 +296,23 @@ impl System {
         }
     }
 
-    /// Steps until the mean square of a step is below `rest`, at most `most` times. Gives whether it came to rest.
+    /// Lets goals give way to where their particles are; whether one did.
+    pub(super) fn give_way(&mut self) -> bool {
+        let mut any = false;
+        let mut local: Vec<Point3> = Vec::new();
+        for goal in self.goals.iter_mut().filter(|goal| !goal.memory.is_empty()) {
+            let Some(particles) = self.particles.get(goal.from..goal.to) else { continue };
+            local.clear();
+            local.extend(particles.iter().map(|&i| self.points.get(i).copied().unwrap_or(Point3::ORIGIN)));
+            if let Some(found) = goal.keeper.as_any().downcast_ref::<Goal>() {
+                any |= found.rule.give_way(&local, &mut goal.memory);
+            }
+        }
+        any
+    }
+
+    /// Steps until the mean square of a step is below `rest` and no goal gives way, at most `most` times. Gives whether it came to
+    /// rest.
     ///
     /// # Errors
     /// The work shall stop.
@@ -309,7 +325,10 @@ impl System {
     ) -> Result<bool, Message> {
         for _ in 0..most {
             context.check()?;
-            if self.step(motion) < rest {
+            let rests = self.step(motion) < rest;
+            // Bodies with inertia give way wherever they swing.
+            let gives_way = (rests || matches!(motion, Motion::Inertia(_))) && self.give_way();
+            if rests && !gives_way {
                 return Ok(true);
             }
         }

@@ -381,8 +381,12 @@ fn soft_and_hard_solver(
             let moved =
                 before.iter().zip(&strict.points).map(|(a, b)| (*a - *b).length_squared()).sum::<f64>();
             if moved / before.len().max(1) as f64 <= rest {
-                rested = true;
-                break;
+                gentle.points.clone_from(&strict.points);
+                let gives_way = [gentle.give_way(), strict.give_way()];
+                if gives_way == [false; 2] {
+                    rested = true;
+                    break;
+                }
             }
         }
         if !rested && !all.is_empty() {

@@ -328,6 +328,10 @@ fn line(a: Point3, b: Point3) -> Curve {
     Curve::Line(LineCurve::new(Line::new(a, b)))
 }
 
+fn drawn(from: Point3, to: Point3, strength: f64) -> Vec<Value> {
+    goals(Trial::of_guid("3c30b1a1-4473-4ad4-a700-ea9770726c03").item(from).item(to).item(strength))
+}
+
 /// Each length ends at the bound that it exceeds; from 9 the first step leads just past the other bound.
 #[test]
 fn lengths_are_clamped_to_the_bound_exceeded() {
@@ -366,4 +370,21 @@ fn sticks_rest_in_contact() {
     let [u, v] = [at[1] - at[0], at[3] - at[2]];
     let across = u.cross(v).unitized().unwrap();
     near((at[0] - at[2]).dot(across).abs(), 1.6, 1e-3);
+}
+
+/// What is plastic gives way by what exceeds its limit: its force is then the limit times its strength.
+#[test]
+fn plastic_lengths_give_way_to_their_limit() {
+    let (o, q, r) = (p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(4.0, 0.0, 0.0));
+    let plastic = |strength: f64| {
+        let made = Trial::of("PlasticLength").item(line(o, q)).item(0.1).item(strength);
+        goals(made)
+    };
+    let against = [anchor(o), anchor(r), spring(q, r, 0.0, 1.0), plastic(1.0)].concat();
+    near(points(&solved(against))[2].x, 3.9, 1e-3);
+    let pulled = [anchor(o), drawn(q, p(2.0, 0.0, 0.0), 20.0), plastic(5.0)].concat();
+    near(points(&solved(pulled))[1].x, 2.0 - 0.5 / 20.0, 1e-3);
+    // Within its limit it is a spring.
+    let little = [anchor(o), drawn(q, p(1.08, 0.0, 0.0), 5.0), plastic(5.0)].concat();
+    near(points(&solved(little))[1].x, 1.04, 1e-3);
 }
