@@ -58,6 +58,7 @@ impl Registry for Components {
             model: None,
             // A component that a script calls writes no files.
             outbox: None,
+            kept: None,
         };
         let outcome = (component.run)(&call);
         let error = outcome.messages.iter().find(|message| message.level == Level::Error);

@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
+use katydid_data::text::plain_number;
 use katydid_elementary::Elementary as _;
 use katydid_geometry::{Curve, Mesh, Point3};
 
@@ -210,14 +211,15 @@ fn grid_info(
     let terrain = Terrain::of(context, &grid)?;
     let least = terrain.heights.iter().copied().fold(f64::INFINITY, f64::min);
     let most = terrain.heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let ([ox, oy], [cx, cy], [gx, gy]) = (terrain.origin, terrain.cell, terrain.world);
+    // Rounded as numbers are shown everywhere.
+    let two = |[x, y]: [f64; 2]| format!("{}, {}", plain_number(x), plain_number(y));
     let lines = [
         format!("columns: {}", terrain.columns),
         format!("rows: {}", terrain.rows),
-        format!("local origin: {ox}, {oy}"),
-        format!("cell size: {cx}, {cy}"),
-        format!("global origin: {gx}, {gy}"),
-        format!("heights: {least} to {most}"),
+        format!("local origin: {}", two(terrain.origin)),
+        format!("cell size: {}", two(terrain.cell)),
+        format!("global origin: {}", two(terrain.world)),
+        format!("heights: {} to {}", plain_number(least), plain_number(most)),
     ];
     Ok(lines.into_iter().map(Shared::from).collect())
 }

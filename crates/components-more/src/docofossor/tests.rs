@@ -135,3 +135,17 @@ fn a_surface_of_one_face_fills_the_terrain() {
     let exact = 16.0 + 8.0 + std::f64::consts::PI / 3.0;
     assert!((volume(&run) / exact - 1.0).abs() < 2e-2, "{} {exact}", volume(&run));
 }
+
+/// Numbers are rounded as they are shown everywhere.
+#[test]
+fn what_a_grid_is_is_told_in_rounded_numbers() {
+    let heights = [0.1 + 0.2, 1.0 / 3.0, 2.0 / 3.0, 0.7 + 0.1];
+    let points = heights.iter().enumerate().map(|(i, z)| {
+        let (x, y) = ((i / 2) as f64, (i % 2) as f64);
+        Point3::new(0.1 * x, 0.1 * y, *z)
+    });
+    let grid = Trial::of("Import Points").list(points.collect::<Vec<_>>()).run().outputs[0].clone();
+    let told = Trial::of("Grid Info").tree(grid).texts(0).concat();
+    assert!(told.contains("heights: 0.3 to 0.8"), "{told}");
+    assert!(told.contains("cell size: 0.1, 0.1"), "{told}");
+}

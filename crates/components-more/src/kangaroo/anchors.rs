@@ -5,6 +5,7 @@ use katydid_data::Value;
 use katydid_geometry::{CancellationToken, Point3, Vector3, Xform};
 
 use super::goal::{Place, finite};
+use super::lines::yielded;
 use super::thresholds::{HOLD, MOST_PAIRS};
 use super::{Goal, Pull, Rule};
 
@@ -126,17 +127,19 @@ impl Rule for Sliding {
 
     fn pull(&self, points: &[Point3], memory: &mut [f64], _: usize, pulls: &mut [Pull]) {
         let (Some(p), Some(pull), [x, y, z]) = (points.first(), pulls.first_mut(), memory) else { return };
-        let target = Point3::new(*x, *y, *z);
-        let way = *p - target;
-        let length = way.length();
-        let target = if length > self.limit {
-            let slid = target + way * ((length - self.limit) / length);
-            (*x, *y, *z) = (slid.x, slid.y, slid.z);
-            slid
-        } else {
-            target
-        };
-        *pull = Pull::new(target - *p, self.strength);
+        *pull = Pull::new(Point3::new(*x, *y, *z) - *p, self.strength);
+    }
+
+    fn give_way(&self, points: &[Point3], memory: &mut [f64]) -> bool {
+        let (Some(p), [x, y, z]) = (points.first(), memory) else { return false };
+        let way = *p - Point3::new(*x, *y, *z);
+        let (mut slid, length) = (0.0, way.length());
+        let slides = yielded(&mut slid, length, self.limit);
+        if slides {
+            let by = way * (slid / length);
+            (*x, *y, *z) = (*x + by.x, *y + by.y, *z + by.z);
+        }
+        slides
     }
 
     fn shown(&self, points: &[Point3]) -> Option<Value> {

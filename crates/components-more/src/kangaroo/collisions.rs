@@ -57,6 +57,10 @@ impl Rule for Spheres {
             cells.entry([x, y, z]).or_default().push(i);
         }
     }
+
+    fn is_mutual(&self) -> bool {
+        true
+    }
 }
 
 /// Keeps spheres of one size out of each other. Stands for Kangaroo 2's SphereCollide.
@@ -165,6 +169,10 @@ impl Rule for Thick {
                 }
             }
         }
+    }
+
+    fn is_mutual(&self) -> bool {
+        true
     }
 }
 

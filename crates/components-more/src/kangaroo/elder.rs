@@ -13,7 +13,7 @@ use katydid_geometry::{Curve, Line, Mesh, MeshSettings, MeshTree, Plane, Point3,
 use super::angles::turn;
 use super::folds::hinge;
 use super::goal::finite;
-use super::lines::{ends, segment, stretch};
+use super::lines::{ends, segment, stretch, yielded};
 use super::loads::{Force, Pressure};
 use super::on::{Floor, OnCurve, OnMesh};
 use super::solve::{Motion, System};
@@ -32,6 +32,12 @@ struct Spring {
     plasticity: f64,
 }
 
+impl Spring {
+    fn works_at(&self, length: f64) -> bool {
+        !(self.upper > 0.0 && length > self.upper) && length >= self.lower
+    }
+}
+
 impl Rule for Spring {
     fn memory(&self) -> Vec<f64> {
         vec![self.rest]
@@ -40,14 +46,16 @@ impl Rule for Spring {
     fn pull(&self, points: &[Point3], memory: &mut [f64], _: usize, pulls: &mut [Pull]) {
         let ([a, b], [rest, ..]) = (points, memory) else { return };
         let length = a.distance_to(*b);
-        if (self.upper > 0.0 && length > self.upper) || length < self.lower {
+        if !self.works_at(length) {
             return;
         }
-        let give = self.plasticity * self.rest;
-        if give > 0.0 && (length - *rest).abs() > give {
-            *rest = length - give.copysign(length - *rest);
-        }
         stretch(points, *rest, self.stiffness, pulls);
+    }
+
+    fn give_way(&self, points: &[Point3], memory: &mut [f64]) -> bool {
+        let ([a, b], [rest, ..]) = (points, memory) else { return false };
+        let (length, give) = (a.distance_to(*b), self.plasticity * self.rest);
+        give > 0.0 && self.works_at(length) && yielded(rest, length, give)
     }
 
     fn shown(&self, points: &[Point3]) -> Option<Value> {

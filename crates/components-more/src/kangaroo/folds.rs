@@ -6,6 +6,7 @@ use katydid_elementary::Elementary as _;
 use katydid_geometry::{Point3, Vector3};
 
 use super::goal::finite;
+use super::lines::yielded;
 use super::thresholds::SHORTEST;
 use super::{Goal, Pull, Rule};
 
@@ -84,14 +85,13 @@ impl Rule for Hinge {
     fn pull(&self, points: &[Point3], memory: &mut [f64], _: usize, pulls: &mut [Pull]) {
         let (Some(four), [rest, ..]) = (four(points), memory) else { return };
         let (Some(angle), Some(slopes)) = (fold_angle(four), slopes(four)) else { return };
-        let mut lack = difference(angle, *rest);
-        if let Some(limit) = self.limit
-            && lack.abs() > limit
-        {
-            *rest += lack - limit.copysign(lack);
-            lack = limit.copysign(lack);
-        }
-        project(&slopes, lack, self.strength, pulls);
+        project(&slopes, difference(angle, *rest), self.strength, pulls);
+    }
+
+    fn give_way(&self, points: &[Point3], memory: &mut [f64]) -> bool {
+        let (Some(limit), Some(four), [rest, ..]) = (self.limit, four(points), memory) else { return false };
+        let Some(angle) = fold_angle(four) else { return false };
+        yielded(rest, *rest + difference(angle, *rest), limit)
     }
 }
 

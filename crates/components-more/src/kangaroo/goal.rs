@@ -31,8 +31,8 @@ impl Pull {
 /// is a force gives the equilibrium of these forces: Bouaziz and others, *Projective Dynamics* (2014); Piker, *Kangaroo*
 /// (2013).
 pub(super) trait Rule: fmt::Debug + Send + Sync {
-    /// Writes a pull for each point. `memory` is what the rule keeps from step to step, such as a rest length that has
-    /// given way; `step` counts from 0.
+    /// Writes a pull for each point; one without weight where it lets a point go. `memory` is what the rule keeps from step
+    /// to step, such as a rest length that has given way; `step` counts from 0.
     fn pull(&self, points: &[Point3], memory: &mut [f64], step: usize, pulls: &mut [Pull]);
 
     /// What `memory` begins with.
@@ -43,6 +43,17 @@ pub(super) trait Rule: fmt::Debug + Send + Sync {
     /// The hand that drags a particle, where the rule has one: its particle is the solver's to choose.
     fn grab(&self) -> Option<&Grab> {
         None
+    }
+
+    /// Gives way to points that are at rest, as what is plastic does; whether it did. While points move they may swing
+    /// farther than they are pulled, which bends nothing for good.
+    fn give_way(&self, _points: &[Point3], _memory: &mut [f64]) -> bool {
+        false
+    }
+
+    /// Whether its points keep each other away, so that one that comes free has been pushed by others.
+    fn is_mutual(&self) -> bool {
+        false
     }
 
     /// What the goal shows for its points: an item of the solver's output.

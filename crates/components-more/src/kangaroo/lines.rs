@@ -5,7 +5,7 @@ use katydid_data::Value;
 use katydid_geometry::{Curve, Line, Mesh, Point3, Vector3};
 
 use super::goal::{Place, finite};
-use super::thresholds::SHORTEST;
+use super::thresholds::{GIVES_WAY, SHORTEST};
 use super::{Goal, Pull, Rule};
 
 /// The ends of a curve, which stands for a segment.
@@ -140,16 +140,32 @@ struct Chosen {
 }
 
 impl Rule for Chosen {
-    fn pull(&self, points: &[Point3], _: &mut [f64], _: usize, pulls: &mut [Pull]) {
-        let [a, b, ..] = points else { return };
+    /// Which bound was exceeded in the step before: −1 the lower, 1 the upper, 0 none.
+    fn memory(&self) -> Vec<f64> {
+        vec![0.0]
+    }
+
+    fn pull(&self, points: &[Point3], memory: &mut [f64], _: usize, pulls: &mut [Pull]) {
+        let ([a, b, ..], [before, ..]) = (points, memory) else { return };
         let length = a.distance_to(*b);
         let rest = match self.choice {
             Choice::Between(low, high) => length.clamp(low, high),
             Choice::Multiple(factor) => (length / factor).round() * factor,
         };
-        if rest != length || matches!(self.choice, Choice::Multiple(_)) {
-            stretch(points, rest, self.strength, pulls);
+        if matches!(self.choice, Choice::Between(..)) {
+            let exceeded = if length == rest { 0.0 } else { (length - rest).signum() };
+            let leapt = exceeded * *before < 0.0;
+            *before = if leapt { 0.0 } else { exceeded };
+            // From beyond one bound to beyond the other there are lengths at which it lets go.
+            if leapt || exceeded == 0.0 {
+                return;
+            }
         }
+        stretch(points, rest, self.strength, pulls);
+    }
+
+    fn is_mutual(&self) -> bool {
+        true
     }
 
     fn shown(&self, points: &[Point3]) -> Option<Value> {
@@ -211,6 +227,17 @@ fn length_snap(
     Goal::item("Kangaroo goal: LengthSnap", ends(line).to_vec(), rule)
 }
 
+/// Moves what is kept at rest after a state that is farther off than a limit, by what exceeds the limit; whether it did.
+pub(super) fn yielded(rest: &mut f64, state: f64, limit: f64) -> bool {
+    let off = state - *rest;
+    let beyond = off.abs() - limit;
+    if !(beyond > GIVES_WAY * (off.abs() + rest.abs())) {
+        return false;
+    }
+    *rest += beyond.copysign(off);
+    true
+}
+
 /// A spring whose rest length gives way.
 #[derive(Debug)]
 struct Plastic {
@@ -225,10 +252,13 @@ impl Rule for Plastic {
     }
 
     fn pull(&self, points: &[Point3], memory: &mut [f64], _: usize, pulls: &mut [Pull]) {
-        let ([a, b, ..], [rest, ..]) = (points, memory) else { return };
-        let length = a.distance_to(*b);
-        *rest = rest.clamp(length - self.limit, length + self.limit);
+        let [rest, ..] = memory else { return };
         stretch(points, *rest, self.strength, pulls);
+    }
+
+    fn give_way(&self, points: &[Point3], memory: &mut [f64]) -> bool {
+        let ([a, b, ..], [rest, ..]) = (points, memory) else { return false };
+        yielded(rest, a.distance_to(*b), self.limit)
     }
 
     fn shown(&self, points: &[Point3]) -> Option<Value> {

@@ -36,7 +36,11 @@ pub(super) struct System {
     /// The particles of all goals, one goal after another.
     particles: Vec<usize>,
     pulls: Vec<Pull>,
+    /// Which of them had a weight in the step before.
+    held: Vec<bool>,
     sums: Vec<(Vector3, f64)>,
+    /// Particles that a goal has let go of in this step.
+    freed: Vec<bool>,
     at: Vec<Point3>,
     pub(super) steps: usize,
     /// Goals' items in order, with their numbers; what was no goal has none.
@@ -119,7 +123,9 @@ impl System {
             goals: Vec::new(),
             particles: Vec::new(),
             pulls: Vec::new(),
+            held: Vec::new(),
             sums: Vec::new(),
+            freed: Vec::new(),
             at: Vec::new(),
             steps: 0,
             order: Vec::new(),
@@ -176,7 +182,9 @@ impl System {
         }
         system.speeds = vec![Vector3::ZERO; count];
         system.sums = vec![(Vector3::ZERO, 0.0); count];
+        system.freed = vec![false; count];
         system.pulls = vec![Pull::NONE; system.particles.len()];
+        system.held = vec![false; system.particles.len()];
         Ok(system)
     }
 
@@ -223,16 +231,19 @@ impl System {
             *p += *v;
         }
         self.gather();
+        self.find_freed();
         let keeps = match motion {
             Motion::ToRest => 1.0,
             Motion::Inertia(share) => share,
         };
         let mut total = 0.0;
         let particles = self.points.iter_mut().zip(&mut self.speeds).zip(&before);
-        for (((p, v), old), (sum, weight)) in particles.zip(&self.sums) {
-            if matches!(motion, Motion::ToRest) && *weight == 0.0 {
-                // Nothing pulls it here: its speed has carried it past what it kept out of, or it would go on for ever.
-                // The step counts as a move, so that what pulls where it was is seen before all is said to rest.
+        for (((p, v), old), ((sum, weight), freed)) in particles.zip(self.sums.iter().zip(&self.freed)) {
+            if matches!(motion, Motion::ToRest) && *freed && *v != Vector3::ZERO {
+                // Its speed has carried it past where a goal stops to work, such as past contact, and nothing of that goal
+                // would bring it back: the move is taken back and the speed out, as accelerated descent is restarted
+                // (B. O'Donoghue and E. Candès, *Adaptive restart for accelerated gradient schemes*, 2015). It counts as a
+                // move, so that what pulls where it was is seen before all is said to rest.
                 total += v.length_squared();
                 (*p, *v) = (*old, Vector3::ZERO);
                 continue;
@@ -295,7 +306,50 @@ impl System {
         }
     }
 
-    /// Steps until the mean square of a step is below `rest`, at most `most` times. Gives whether it came to rest.
+    /// Finds the particles that a goal has let go of since the step before; all of a goal whose points keep each other away.
+    fn find_freed(&mut self) {
+        self.freed.fill(false);
+        for goal in &self.goals {
+            let range = goal.from..goal.to;
+            let (Some(particles), Some(pulls), Some(held)) =
+                (self.particles.get(range.clone()), self.pulls.get(range.clone()), self.held.get_mut(range))
+            else {
+                continue;
+            };
+            let mut any = false;
+            for ((&i, pull), held) in particles.iter().zip(pulls).zip(held) {
+                let was_held = std::mem::replace(held, pull.weight != 0.0);
+                if was_held && pull.weight == 0.0 {
+                    any = true;
+                    self.freed.get_mut(i).into_iter().for_each(|freed| *freed = true);
+                }
+            }
+            let mutual = |goal: &Goal| goal.rule.is_mutual();
+            if any && goal.keeper.as_any().downcast_ref::<Goal>().is_some_and(mutual) {
+                for &i in particles {
+                    self.freed.get_mut(i).into_iter().for_each(|freed| *freed = true);
+                }
+            }
+        }
+    }
+
+    /// Lets goals give way to where their particles are; whether one did.
+    pub(super) fn give_way(&mut self) -> bool {
+        let mut any = false;
+        let mut local: Vec<Point3> = Vec::new();
+        for goal in self.goals.iter_mut().filter(|goal| !goal.memory.is_empty()) {
+            let Some(particles) = self.particles.get(goal.from..goal.to) else { continue };
+            local.clear();
+            local.extend(particles.iter().map(|&i| self.points.get(i).copied().unwrap_or(Point3::ORIGIN)));
+            if let Some(found) = goal.keeper.as_any().downcast_ref::<Goal>() {
+                any |= found.rule.give_way(&local, &mut goal.memory);
+            }
+        }
+        any
+    }
+
+    /// Steps until the mean square of a step is below `rest` and no goal gives way, at most `most` times. Gives whether it came to
+    /// rest.
     ///
     /// # Errors
     /// The work shall stop.
@@ -308,7 +362,10 @@ impl System {
     ) -> Result<bool, Message> {
         for _ in 0..most {
             context.check()?;
-            if self.step(motion) < rest {
+            let rests = self.step(motion) < rest;
+            // Bodies with inertia give way wherever they swing.
+            let gives_way = (rests || matches!(motion, Motion::Inertia(_))) && self.give_way();
+            if rests && !gives_way {
                 return Ok(true);
             }
         }

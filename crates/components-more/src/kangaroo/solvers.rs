@@ -340,7 +340,8 @@ struct Turns {
 }
 
 impl Turns {
-    /// Goes on until the mean square of a step is below `rest`, at most `most` times. Gives whether it came to rest.
+    /// Goes on until the mean square of a step is below `rest` and no goal gives way, at most `most` times. Gives whether it came
+    /// to rest.
     fn take(
         &self,
         context: &Context<'_>,
@@ -360,7 +361,11 @@ impl Turns {
             let moved =
                 before.iter().zip(&strict.points).map(|(a, b)| (*a - *b).length_squared()).sum::<f64>();
             if moved / before.len().max(1) as f64 <= self.rest {
-                return Ok(true);
+                gentle.points.clone_from(&strict.points);
+                let gives_way = [gentle.give_way(), strict.give_way()];
+                if gives_way == [false; 2] {
+                    return Ok(true);
+                }
             }
         }
         Ok(false)

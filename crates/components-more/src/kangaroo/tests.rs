@@ -323,3 +323,68 @@ fn duplicates_and_corners() {
     let split = Trial::of("SplitAtCorners").item(Curve::Polyline(corner)).run();
     assert_eq!([split.outputs[0].item_count(), split.outputs[1].item_count()], [1, 2]);
 }
+
+fn line(a: Point3, b: Point3) -> Curve {
+    Curve::Line(LineCurve::new(Line::new(a, b)))
+}
+
+fn drawn(from: Point3, to: Point3, strength: f64) -> Vec<Value> {
+    goals(Trial::of_guid("3c30b1a1-4473-4ad4-a700-ea9770726c03").item(from).item(to).item(strength))
+}
+
+/// Each length ends at the bound that it exceeds; from 9 the first step leads just past the other bound.
+#[test]
+fn lengths_are_clamped_to_the_bound_exceeded() {
+    for (length, wanted) in [(1.0, 3.0), (2.2, 3.0), (4.5, 4.5), (7.0, 6.0), (9.0, 6.0), (20.0, 6.0)] {
+        let clamp = Trial::of("ClampLength").item(line(p(0.0, 0.0, 0.0), p(length, 0.0, 0.0)));
+        let at = points(&solved(goals(clamp.item(3.0).item(6.0))));
+        near(at[0].distance_to(at[1]), wanted, 1e-9);
+    }
+}
+
+/// Spheres that overlap rest in contact, whether or not another goal works on them too; those apart stay where they are.
+#[test]
+fn spheres_that_overlap_rest_in_contact() {
+    for gap in [0.1, 0.5, 1.3, 1.99, 2.5] {
+        let two = vec![p(0.0, 0.0, 0.0), p(gap, 0.0, 0.0)];
+        let spheres = goals(Trial::of("SphereCollide").list(two.clone()).item(1.0));
+        let thick = goals(Trial::of("Collider").list(two.clone()).list([0.7, 1.3]));
+        let plane = goals(Trial::of("OnPlane").list(two.clone()));
+        for apart in [spheres, thick] {
+            for others in [Vec::new(), plane.clone(), anchor(two[0])] {
+                let at = points(&solved([apart.clone(), others].concat()));
+                near(at[0].distance_to(at[1]), gap.max(2.0), 1e-6);
+            }
+        }
+    }
+}
+
+/// Two thick sticks across each other, whose lengths are kept.
+#[test]
+fn sticks_rest_in_contact() {
+    let first = Line::new(p(-5.0, 0.0, 0.3), p(5.0, 0.0, 0.3));
+    let second = Line::new(p(0.2, -5.0, -0.3), p(0.2, 5.0, -0.3));
+    let mut all = goals(Trial::of("Collider").list([first, second]).item(0.8));
+    all.extend([first, second].iter().flat_map(|l| spring(l.from, l.to, 10.0, 10.0)));
+    let at = points(&solved(all));
+    let [u, v] = [at[1] - at[0], at[3] - at[2]];
+    let across = u.cross(v).unitized().unwrap();
+    near((at[0] - at[2]).dot(across).abs(), 1.6, 1e-3);
+}
+
+/// What is plastic gives way by what exceeds its limit: its force is then the limit times its strength.
+#[test]
+fn plastic_lengths_give_way_to_their_limit() {
+    let (o, q, r) = (p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(4.0, 0.0, 0.0));
+    let plastic = |strength: f64| {
+        let made = Trial::of("PlasticLength").item(line(o, q)).item(0.1).item(strength);
+        goals(made)
+    };
+    let against = [anchor(o), anchor(r), spring(q, r, 0.0, 1.0), plastic(1.0)].concat();
+    near(points(&solved(against))[2].x, 3.9, 1e-3);
+    let pulled = [anchor(o), drawn(q, p(2.0, 0.0, 0.0), 20.0), plastic(5.0)].concat();
+    near(points(&solved(pulled))[1].x, 2.0 - 0.5 / 20.0, 1e-3);
+    // Within its limit it is a spring.
+    let little = [anchor(o), drawn(q, p(1.08, 0.0, 0.0), 5.0), plastic(5.0)].concat();
+    near(points(&solved(little))[1].x, 1.04, 1e-3);
+}

@@ -40,3 +40,5 @@ pub(super) const SAME_CORNER: f64 = 1e-9;
 pub(super) const SMALLEST_CELL: f64 = 1e-300;
 /// A place within this distance of a curve, in units of the model, is on it: neither side pulls.
 pub(super) const ON_CURVE: f64 = 1e-9;
+/// What is kept at rest has given way where it changes by more than this part of itself: less is left of coming to rest.
+pub(super) const GIVES_WAY: f64 = 1e-6;

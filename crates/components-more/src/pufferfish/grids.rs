@@ -234,7 +234,21 @@ fn surface_plane(
     surface.frame_at(surface.domain(Direction::U).at(u), surface.domain(Direction::V).at(v))
 }
 
-/// The parts of a surface between parameters. Stands for Pufferfish's Parameter Subdivide Surface.
+/// The intervals between parameters in whatever order.
+fn intervals_between(mut parameters: Vec<f64>) -> Vec<Interval> {
+    parameters.sort_by(f64::total_cmp);
+    parameters.dedup();
+    parameters
+        .windows(2)
+        .filter_map(|pair| match pair {
+            [a, b] => Some(Interval::new(*a, *b)),
+            _ => None,
+        })
+        .collect()
+}
+
+/// The parts of a surface between parameters. Stands for Pufferfish's Parameter Subdivide Surface; that parameters count in rising order
+/// is our reading.
 #[component(
     "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f3058",
     name = "Parameter Subdivide Surface",
@@ -247,29 +261,25 @@ fn subdivide(
     /// The surface.
     #[port("Surface", "S")]
     surface: &Surface,
-    /// Where it is divided along u, from 0 to 1.
+    /// Where it is divided along u, from 0 to 1, in any order.
     #[port("Parameters U", "u")]
     us: List<f64>,
-    /// Where it is divided along v, from 0 to 1.
+    /// Where it is divided along v, from 0 to 1, in any order.
     #[port("Parameters V", "v")]
     vs: List<f64>,
 ) -> Result<Vec<Shared<Surface>>, Message> {
     let (us, vs) =
         (on_surface(surface, Direction::U, &us, "U")?, on_surface(surface, Direction::V, &vs, "V")?);
     room(context, &us, &vs, 1000)?;
-    let between = |list: &[f64]| -> Vec<Interval> {
-        list.windows(2)
-            .filter_map(|pair| match pair {
-                [a, b] if a < b => Some(Interval::new(*a, *b)),
-                _ => None,
-            })
-            .collect()
-    };
+    let (us, vs) = (intervals_between(us), intervals_between(vs));
+    if us.is_empty() || vs.is_empty() {
+        context.warn("There are no parts: it takes two different parameters each way");
+    }
     let mut parts = Vec::new();
-    for u in between(&us) {
-        for v in between(&vs) {
+    for u in &us {
+        for v in &vs {
             context.check()?;
-            parts.push(Shared::new(surface.sub_surface(u, v)?));
+            parts.push(Shared::new(surface.sub_surface(*u, *v)?));
         }
     }
     Ok(parts)

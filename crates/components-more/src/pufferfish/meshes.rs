@@ -13,7 +13,7 @@ use super::grids::mesh_of_rows;
 use super::mix::Mix;
 use crate::polygons::Polygons;
 
-/// Places that differ by less than this part of a radius, or than this many units, differ by rounding.
+/// Places that differ by less than this part of a section's size, or than this many units, differ by rounding.
 const ROUNDING: f64 = 1e-6;
 
 /// The places of a curve at parameters from 0 to 1: shares of its length, or of its domain.
@@ -121,12 +121,31 @@ fn loft(
             points.push(a.iter().zip(b).map(|(p, q)| p.lerp(*q, *v)).collect());
         }
     }
-    clean(context, &mesh_of_rows(&points, triangulate)?)
+    wall(context, points, triangulate)
 }
 
-/// A mesh without double corners and faces that have no area.
-fn clean(context: &Context<'_>, mesh: &Mesh) -> Result<Shared<Mesh>, Message> {
-    Ok(Shared::new(Polygons::of_mesh(mesh).to_mesh(context)?))
+/// A mesh through rows of places, each along a section. Faces look outwards where sections run counter-clockwise and rows go up; places
+/// that differ by rounding are one, so that closed sections have no seam, and faces without area are left out.
+fn wall(
+    context: &Context<'_>,
+    mut rows: Vec<Vec<Point3>>,
+    triangulate: bool,
+) -> Result<Shared<Mesh>, Message> {
+    let near = context.tolerance().absolute.min(narrowest(&rows) * ROUNDING);
+    for row in &mut rows {
+        row.reverse();
+    }
+    let (aligned, _) = mesh_of_rows(&rows, triangulate)?.with_aligned_vertices(near)?;
+    Ok(Shared::new(Polygons::of_mesh(&aligned).to_mesh(context)?))
+}
+
+/// The least size of a row that is no point: the distance of its first place from the farthest.
+fn narrowest(rows: &[Vec<Point3>]) -> f64 {
+    let size = |row: &Vec<Point3>| {
+        let first = row.first().copied().unwrap_or(Point3::ORIGIN);
+        row.iter().map(|p| p.distance_to(first)).fold(0.0, f64::max)
+    };
+    rows.iter().map(size).filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min)
 }
 
 /// A pipe round a curve as a mesh. Stands for Pufferfish's Parameter Pipe Mesh; round ends are flat here, and divisions by angle are not
@@ -205,14 +224,7 @@ fn pipe(
             rows.push(middle(&last, curve.end()));
         }
     }
-    // The faces look outwards.
-    for row in &mut rows {
-        row.reverse();
-    }
-    let mesh = mesh_of_rows(&rows, triangulate)?;
-    // The last place round is the first one but for rounding.
-    let near = context.tolerance().absolute.min(radius * ROUNDING);
-    clean(context, &mesh.with_aligned_vertices(near)?.0)
+    wall(context, rows, triangulate)
 }
 
 /// A mesh of a profile moved along a vector, or to a point. Stands for Pufferfish's Parameter Extrude Mesh; along curves the profile is moved
@@ -262,7 +274,7 @@ fn extrude(
             _ => return Err(Message::error("The direction must be a vector, a curve or a point")),
         },
     };
-    clean(context, &mesh_of_rows(&rows, false)?)
+    wall(context, rows, false)
 }
 
 /// Offsets a mesh, to one side or both, open or as a solid. Stands for Pufferfish's Offset Mesh.

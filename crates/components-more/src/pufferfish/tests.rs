@@ -148,6 +148,27 @@ fn lofts_and_pipes_are_closed() {
     // A prism of 64 sides.
     let side = 2.0 * (std::f64::consts::PI / 64.0).sin();
     assert!((tube.area() - 64.0 * side * 2.0).abs() < 1e-9, "{}", tube.area());
+    // Sections that run counter-clockwise and go up look outwards, and closed ones have no seam.
+    let tips = || {
+        let tent =
+            Trial::of("Parameter Loft Mesh").list([circle(1.0, 0.0), circle(1.0, 2.0)]).list(shares.clone());
+        let tent = tent.list([0.0, 0.5, 1.0]).item(false).item(false).item(0.0).item(false).item(false);
+        tent.item(Point3::ORIGIN).item(Point3::new(0.0, 0.0, 3.0))
+    };
+    let base = 32.0 * (std::f64::consts::TAU / 64.0).sin();
+    let solid = mesh(tips());
+    assert!(solid.is_closed());
+    assert!((solid.volume() - base * (2.0 + 1.0 / 3.0)).abs() < 1e-9, "{}", solid.volume());
+    let profile = Trial::of("Parameter Extrude Mesh").item(circle(1.0, 0.0));
+    let wall = mesh(profile.item(Vector3::Z * 2.0).list(shares.clone()).list([0.0, 1.0]));
+    assert_eq!(wall.vertices().len(), 2 * 64);
+    for (p, normal) in tube.vertices().iter().zip(tube.vertex_normals()) {
+        assert!((normal.dot(Vector3::new(p.x, p.y, 0.0)) - 1.0).abs() < 1e-2, "{normal:?} at {p:?}");
+    }
+    for (p, normal) in wall.vertices().iter().zip(wall.vertex_normals()) {
+        assert!(normal.dot(Vector3::new(p.x, p.y, 0.0)) > 0.99, "{normal:?} at {p:?}");
+    }
+    assert_eq!(tube.vertices().len(), 3 * 64);
     let pipe = Trial::of("Parameter Pipe Mesh").item(segment([0.0, 0.0, 0.0], [0.0, 0.0, 5.0])).item(0.5);
     let pipe = mesh(pipe.list([0.0, 1.0]).list(shares).item(false).item(false).item(0.0).item(1));
     assert!(pipe.is_closed());
@@ -165,6 +186,13 @@ fn grids_have_the_cells_of_their_parameters() {
     assert_eq!([run.outputs[0].item_count(), run.outputs[1].item_count()], [6, 12]);
     assert_eq!(grid("Parameter Point Divide Surface").run().outputs[0].branch_count(), 3);
     assert_eq!(grid("Parameter Subdivide Surface").run().outputs[0].item_count(), 6);
+    let divided = |us: &[f64]| {
+        let trial = Trial::of("Parameter Subdivide Surface").item(flat.clone());
+        trial.list(us.to_vec()).list([0.0, 0.5, 1.0]).run()
+    };
+    assert_eq!(divided(&[1.0, 0.25, 0.0]).outputs[0], divided(&[0.0, 0.25, 1.0]).outputs[0]);
+    assert_eq!(divided(&[1.0, 0.25, 0.0]).outputs[0].item_count(), 4);
+    assert!(divided(&[0.5, 0.5]).messages.iter().any(|m| m.text.contains("two different parameters")));
     let net = Trial::of("Net On Surface").item(flat).item(5).item(4).item(false).run();
     assert_eq!(net.outputs[0].item_count(), 5);
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use katydid_3dm::{Annotation, AnnotationKind, Limits, Object, StoredPlane, TextContent};
 use katydid_component::{Context, Message, component};
 use katydid_data::{Content, Value};
-use katydid_geometry::{Curve, Line, Plane, Point2, Point3, PolylineCurve, PolylineLimits, Vector2};
+use katydid_geometry::{Curve, Line, Plane, Point2, Point3, PolylineCurve, PolylineLimits, Vector2, Vector3};
 use uuid::Uuid;
 
 use super::{object_of, unfit};
@@ -13,7 +13,7 @@ use super::{object_of, unfit};
 /// Makes a leader, an arrow with a text at its end, or takes one apart and puts other parts in the place of its own.
 ///
 /// An input without data leaves what the leader has. A leader made anew needs a curve and a text; it lies in the plane
-/// given, else in that of the curve, else in the XY plane. The curve runs from the tip of the arrow to the text, and is
+/// given, else in that of the curve, seen from above, else in the XY plane. The curve runs from the tip of the arrow to the text, and is
 /// drawn into the plane; one that is not straight is taken in pieces. The leader has the model's own style of
 /// annotations.
 #[component(
@@ -55,7 +55,7 @@ fn leader(
         (None, None) => {
             let tolerance = context.tolerance().absolute;
             let own = curve.as_ref().filter(|c| !c.is_linear(tolerance)).and_then(|c| c.plane(tolerance));
-            own.unwrap_or(Plane::XY.with_origin(path.first().copied().unwrap_or_default()))
+            own.map(readable).unwrap_or(Plane::XY.with_origin(path.first().copied().unwrap_or_default()))
         }
     };
     let annotation = if let (true, Some(known)) = (untouched, known) {
@@ -99,6 +99,20 @@ fn leader(
         }
     };
     Ok((value, plane, Arc::new(shape), words.into()))
+}
+
+/// The same plane as a construction plane lies in Rhino's standard views, so that its texts are upright from where one looks: from
+/// above, from the front where it stands upright, from the right where it also faces along x.
+fn readable(plane: Plane) -> Plane {
+    /// A part of a unit vector below this is rounding: the plane does not face that way.
+    const FACING: f64 = 1e-9;
+    let normal = plane.z_axis;
+    let facing = [normal.z, -normal.y, normal.x].into_iter().find(|part| part.abs() > FACING);
+    let normal = if facing.is_some_and(|part| part < 0.0) { -normal } else { normal };
+    let along = |axis: Vector3| axis - normal * axis.dot(normal);
+    // x runs to the right, as far as it can.
+    let x = if along(Vector3::X).length() > FACING { along(Vector3::X) } else { along(Vector3::Y) };
+    Plane::from_axes(plane.origin, x, normal.cross(x)).unwrap_or(plane)
 }
 
 /// A leader as it came, and what is in it.
@@ -184,7 +198,8 @@ fn points_of(context: &Context<'_>, curve: &Curve) -> Result<Vec<Point3>, Messag
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::{Trial, texts};
-    use katydid_geometry::{Curve, Line, Plane, Point3, PolylineCurve};
+    use katydid_data::Value;
+    use katydid_geometry::{Curve, Line, Plane, Point3, PolylineCurve, Vector3};
 
     fn bent() -> Curve {
         let corners = [[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [2.0, 3.0, 1.0]].map(Point3::from);
@@ -207,6 +222,36 @@ mod tests {
         assert_eq!(Trial::of("Length").tree(out.outputs[2].clone()).texts(0), ["{0}: 5"]);
         // Untouched it stays what it was.
         assert_eq!(out.outputs[0], made("steel"));
+    }
+
+    /// Whichever way the curve turns, the text is read from above, or from the front where the curve stands upright.
+    #[test]
+    fn texts_are_readable() {
+        let frame = |corners: [[f64; 3]; 3]| {
+            let curve: Curve = PolylineCurve::new(corners.map(Point3::from).to_vec()).unwrap().into();
+            let run = Trial::of("Leader").default().default().item(curve).item("steel").run();
+            match run.outputs[1].column().get(0) {
+                Some(Value::Plane(plane)) => plane,
+                other => panic!("{other:?}"),
+            }
+        };
+        let above = [Vector3::X, Vector3::Y, Vector3::Z];
+        let front = [Vector3::X, Vector3::Z, -Vector3::Y];
+        let right = [Vector3::Y, Vector3::Z, Vector3::X];
+        let cases = [
+            ([[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [2.0, 3.0, 1.0]], above),
+            ([[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [2.0, -3.0, 1.0]], above),
+            ([[2.0, 1.0, 0.0], [-2.0, 0.0, 0.0], [-2.0, -3.0, 0.0]], above),
+            ([[0.0, 1.0, 0.0], [2.0, 1.0, 0.0], [2.0, 1.0, 3.0]], front),
+            ([[0.0, 1.0, 0.0], [2.0, 1.0, 0.0], [2.0, 1.0, -3.0]], front),
+            ([[1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [1.0, 2.0, -3.0]], right),
+        ];
+        for (corners, wanted) in cases {
+            let plane = frame(corners);
+            for (axis, wanted) in [plane.x_axis, plane.y_axis, plane.z_axis].into_iter().zip(wanted) {
+                assert!((axis - wanted).length() < 1e-12, "{corners:?}: {plane:?}");
+            }
+        }
     }
 
     #[test]

@@ -31,50 +31,84 @@ impl Labels {
         let mut out = Vec::new();
         let apart = self.texts.len() <= MOST_APART;
         for (label, on) in self.texts {
-            for_each_line(&label, |line, down| {
-                let mut line = line.with_halo(Colour { a: 210, ..ground });
-                let (p, size) = (line.at, line.size);
-                let sides: &[([f64; 2], Anchor)] = &[
-                    ([5.0, -4.0], Anchor::Start),
-                    ([-5.0, -4.0], Anchor::End),
-                    ([5.0, 3.0 + 0.75 * size], Anchor::Start),
-                    ([-5.0, 3.0 + 0.75 * size], Anchor::End),
-                    ([0.0, -8.0], Anchor::Middle),
-                    ([0.0, 7.0 + 0.75 * size], Anchor::Middle),
-                    ([9.0, 0.35 * size], Anchor::Start),
-                    ([-9.0, 0.35 * size], Anchor::End),
-                ];
-                let on_it: &[([f64; 2], Anchor)] = &[([0.0, 0.35 * size], Anchor::Middle)];
-                let sides = if on { on_it } else { sides };
-                let wide = font::width(&line.text, size);
-                let extent = |(by, anchor): &([f64; 2], Anchor)| {
-                    let x = p[0] + by[0]
-                        - match anchor {
-                            Anchor::Start => 0.0,
-                            Anchor::Middle => 0.5 * wide,
-                            Anchor::End => wide,
-                        };
-                    let y = p[1] + by[1] + down;
-                    [x, y - 0.75 * size, x + wide, y + 0.2 * size]
-                };
-                let free = |e: &Extent| {
-                    let inside = e[0] >= 1.0 && e[1] >= 1.0 && e[2] <= width - 1.0 && e[3] <= height - 1.0;
-                    inside && !(apart && taken.iter().any(|t| meet(t, e)))
-                };
-                let chosen = sides.iter().find(|side| free(&extent(side))).or_else(|| sides.first());
-                if let Some(side) = chosen {
-                    let extent = extent(side);
-                    // With no room on any side it is moved onto the picture, if its point is there.
-                    let seen = (0.0..=width).contains(&p[0]) && (0.0..=height).contains(&p[1]);
-                    let by = if seen { inwards(extent, [width, height]) } else { [0.0; 2] };
-                    taken.push([extent[0] + by[0], extent[1] + by[1], extent[2] + by[0], extent[3] + by[1]]);
-                    line.at = [p[0] + side.0[0] + by[0], p[1] + side.0[1] + down + by[1]];
-                    line.anchor = side.1;
-                }
+            let (p, size) = (label.at, label.size);
+            let block = Block::of(&label);
+            let free = |e: &Extent| {
+                let inside = e[0] >= 1.0 && e[1] >= 1.0 && e[2] <= width - 1.0 && e[3] <= height - 1.0;
+                inside && !(apart && taken.iter().any(|t| meet(t, e)))
+            };
+            let sides = sides(size, on);
+            let chosen = sides.iter().find(|side| free(&block.extent(p, side)));
+            let Some(side) = chosen.or(sides.first()) else { continue };
+            let extent = block.extent(p, side);
+            // With no room on any side it is moved onto the picture, if its point is there.
+            let seen = (0.0..=width).contains(&p[0]) && (0.0..=height).contains(&p[1]);
+            let by = if seen { inwards(extent, [width, height]) } else { [0.0; 2] };
+            taken.push([extent[0] + by[0], extent[1] + by[1], extent[2] + by[0], extent[3] + by[1]]);
+            for (k, text) in label.text.lines().enumerate() {
+                let mut line = Label { text: text.to_owned(), ..label.clone() };
+                line = line.with_halo(Colour { a: 210, ..ground });
+                line.at = [p[0] + side.by[0] + by[0], p[1] + side.by[1] + by[1] + block.step * k as f64];
+                line.anchor = side.anchor;
                 out.push(Item::Label(line));
-            });
+            }
         }
         out
+    }
+}
+
+/// A place of a text beside its point: where its first line stands, and which end of it.
+#[derive(Debug, Clone, Copy)]
+struct Side {
+    by: [f64; 2],
+    anchor: Anchor,
+}
+
+/// The places of a text of this size in the order in which they are tried.
+fn sides(size: f64, on: bool) -> Vec<Side> {
+    let side = |by: [f64; 2], anchor: Anchor| Side { by, anchor };
+    if on {
+        return vec![side([0.0, 0.35 * size], Anchor::Middle)];
+    }
+    vec![
+        side([5.0, -4.0], Anchor::Start),
+        side([-5.0, -4.0], Anchor::End),
+        side([5.0, 3.0 + 0.75 * size], Anchor::Start),
+        side([-5.0, 3.0 + 0.75 * size], Anchor::End),
+        side([0.0, -8.0], Anchor::Middle),
+        side([0.0, 7.0 + 0.75 * size], Anchor::Middle),
+        side([9.0, 0.35 * size], Anchor::Start),
+        side([-9.0, 0.35 * size], Anchor::End),
+    ]
+}
+
+/// The lines of a text, which stay together.
+struct Block {
+    wide: f64,
+    /// From the first line to the last.
+    deep: f64,
+    /// From a line to the next.
+    step: f64,
+    size: f64,
+}
+
+impl Block {
+    fn of(label: &Label) -> Self {
+        let wide = label.text.lines().map(|line| font::width(line, label.size)).fold(0.0, f64::max);
+        let step = 1.2 * label.size;
+        let deep = step * label.text.lines().count().saturating_sub(1) as f64;
+        Self { wide, deep, step, size: label.size }
+    }
+
+    /// What the text covers beside a point.
+    fn extent(&self, p: [f64; 2], side: &Side) -> Extent {
+        let before = match side.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5 * self.wide,
+            Anchor::End => self.wide,
+        };
+        let (x, y) = (p[0] + side.by[0] - before, p[1] + side.by[1]);
+        [x, y - 0.75 * self.size, x + self.wide, y + self.deep + 0.2 * self.size]
     }
 }
 
@@ -89,13 +123,6 @@ fn inwards(e: Extent, [width, height]: [f64; 2]) -> [f64; 2] {
 
 fn meet(a: &Extent, b: &Extent) -> bool {
     a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
-}
-
-/// The lines of a text with how far each stands below the first.
-fn for_each_line(label: &Label, mut each: impl FnMut(Label, f64)) {
-    for (k, line) in label.text.lines().enumerate() {
-        each(Label { text: line.to_owned(), ..label.clone() }, 1.2 * label.size * k as f64);
-    }
 }
 
 #[cfg(test)]
@@ -129,5 +156,25 @@ mod tests {
         let Some(Item::Label(label)) = placed.first() else { panic!("a label") };
         assert_eq!(label.anchor, Anchor::End);
         assert!(label.at[1] > 8.0);
+    }
+
+    /// Every line finds its own place no more: where one would fit and the next not, both move.
+    #[test]
+    fn lines_of_a_text_stay_together() {
+        for at in [[95.0, 50.0], [50.0, 97.0], [99.0, 99.0], [2.0, 2.0], [60.0, 3.0]] {
+            let mut labels = Labels::default();
+            labels.add(at, "short\na much longer line\nend", 8.0, Colour::default(), false);
+            let placed = labels.placed([100.0, 100.0], Colour::rgb(255, 255, 255));
+            let lines: Vec<&Label> = placed
+                .iter()
+                .filter_map(|item| if let Item::Label(label) = item { Some(label) } else { None })
+                .collect();
+            let [first, second, third] = lines.as_slice() else { panic!("three lines") };
+            for (upper, lower) in [(first, second), (second, third)] {
+                assert_eq!((upper.at[0], upper.anchor), (lower.at[0], lower.anchor), "{at:?}");
+                assert!((lower.at[1] - upper.at[1] - 9.6).abs() < 1e-9, "{at:?}");
+            }
+            assert!(first.at[1] > 6.0 && third.at[1] < 99.0, "{at:?}");
+        }
     }
 }
