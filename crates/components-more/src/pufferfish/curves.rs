@@ -10,7 +10,7 @@ use katydid_geometry::{
 
 use super::MOST_PARTS;
 use super::mix::Mix;
-use super::weights::{Way, pairs, weights};
+use super::weights::{Way, between, pairs, weights};
 
 /// How curves are prepared before they are blended.
 #[derive(Debug, Clone, Copy)]
@@ -46,7 +46,8 @@ impl Match {
 
 /// A curve between two. Stands for Pufferfish's Tween Two Curves.
 ///
-/// Control points are blended after both curves have been given the same degree and knots; polylines are matched by length.
+/// Points of equal parameters are blended: exactly where control points of both have the same weights over common knots, as those of
+/// circles have, else within the tolerance. Polylines are matched by length.
 #[component(
     "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f302a",
     name = "Tween Two Curves",
@@ -76,7 +77,8 @@ fn two(
         return Err(Message::error("The factor is not finite"));
     }
     let way = Match { refit, sample };
-    Mix::mix(&[(way.ready(context, &a)?, 1.0 - factor), (way.ready(context, &b)?, factor)])
+    let parts = [(way.ready(context, &a)?, 1.0 - factor), (way.ready(context, &b)?, factor)];
+    Mix::mix(&parts, context.tolerance().absolute)
 }
 
 /// Curves between neighbours of a set. Stands for Pufferfish's Tween Consecutive Curves.
@@ -92,7 +94,7 @@ fn consecutive(
     /// The set.
     #[port("Curves", "C")]
     curves: List<Shared<Curve>>,
-    /// 0 gives the first of each two neighbours, 1 the second.
+    /// 0 gives the first of each two neighbours, 1 the second; other numbers go beyond them along the line of the two.
     #[port("Factor", "F", default = 0.5)]
     factor: f64,
     /// Whether the set goes on from its last curve to its first.
@@ -111,18 +113,22 @@ fn consecutive(
     let way = Match { refit, sample };
     let curves: Vec<Shared<Curve>> =
         curves.present().map(|curve| way.ready(context, &curve)).collect::<Result<_, _>>()?;
+    let way = Way { normalized: false, closed, smooth: kind > 0 };
     pairs(curves.len(), closed)
         .into_iter()
-        .map(|[i, _]| {
+        .map(|pair| {
             context.check()?;
-            blend(&curves, i as f64 + factor, Way { normalized: false, closed, smooth: kind > 0 })
+            blend(context, &curves, between(curves.len(), pair, factor, way)?)
         })
         .collect()
 }
 
-/// The curve of a set at a factor.
-fn blend(curves: &[Shared<Curve>], factor: f64, way: Way) -> Result<Shared<Curve>, Message> {
-    let shares = weights(curves.len(), factor, way)?;
+/// Curves of a set blended by shares.
+fn blend(
+    context: &Context<'_>,
+    curves: &[Shared<Curve>],
+    shares: Vec<(usize, f64)>,
+) -> Result<Shared<Curve>, Message> {
     // A share of nothing still makes curves compatible, so that it is left out only where one curve is all.
     let shares = match shares.iter().find(|(_, share)| *share == 1.0) {
         Some(whole) => vec![*whole],
@@ -130,7 +136,7 @@ fn blend(curves: &[Shared<Curve>], factor: f64, way: Way) -> Result<Shared<Curve
     };
     let parts: Vec<(Shared<Curve>, f64)> =
         shares.into_iter().filter_map(|(i, share)| Some((curves.get(i)?.clone(), share))).collect();
-    Mix::mix(&parts)
+    Mix::mix(&parts, context.tolerance().absolute)
 }
 
 /// A curve on the way through a set. Stands for Pufferfish's Tween Through Curves.
@@ -172,7 +178,8 @@ fn through(
     let way = Match { refit, sample };
     let curves: Vec<Shared<Curve>> =
         curves.present().map(|curve| way.ready(context, &curve)).collect::<Result<_, _>>()?;
-    blend(&curves, factor, Way { normalized, closed, smooth: kind > 0 })
+    let way = Way { normalized, closed, smooth: kind > 0 };
+    blend(context, &curves, weights(curves.len(), factor, way)?)
 }
 
 /// A smooth curve that follows another one with evenly spaced control points. Stands for Pufferfish's Rebuild Curve.
