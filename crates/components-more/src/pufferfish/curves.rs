@@ -28,12 +28,7 @@ impl Match {
                 return Err(Message::error("Point Sample needs at least two points"));
             }
             context.items(count)?;
-            // So many points with equal lengths between them; a closed curve meets itself in the first.
-            let parameters = curve.divide_by_count(count - 1)?;
-            let mut points = curve.points_at(&parameters);
-            points.resize(count, curve.end());
-            let degree = 3.min(count - 1);
-            return Ok(Shared::new(Curve::from(NurbsCurve::clamped_uniform(degree, &points)?)));
+            return Ok(Shared::new(Curve::from(sampled(curve, count)?)));
         }
         if let Some(degree) = self.refit.filter(|n| *n > 0) {
             let degree = usize::try_from(degree).unwrap_or(3).min(11);
@@ -42,6 +37,23 @@ impl Match {
         }
         Ok(curve.clone())
     }
+}
+
+/// The degree of a curve whose control points are points of another one.
+const SAMPLED_DEGREE: usize = 3;
+
+/// A curve whose control points are so many points of another one with equal lengths between them. A closed curve is followed by a
+/// periodic one, which has no corner where it begins.
+fn sampled(curve: &Curve, count: usize) -> Result<NurbsCurve, Message> {
+    if curve.is_closed() && count >= SAMPLED_DEGREE {
+        let mut points = curve.points_at(&curve.divide_by_count(count)?);
+        // A uniform cubic begins beside its second control point.
+        points.rotate_right(1);
+        return Ok(NurbsCurve::periodic_uniform(SAMPLED_DEGREE, &points)?);
+    }
+    let mut points = curve.points_at(&curve.divide_by_count(count - 1)?);
+    points.resize(count, curve.end());
+    Ok(NurbsCurve::clamped_uniform(SAMPLED_DEGREE.min(count - 1), &points)?)
 }
 
 /// A curve between two. Stands for Pufferfish's Tween Two Curves.

@@ -98,6 +98,19 @@ fn consecutive_curves_go_beyond_their_pairs() {
 }
 
 #[test]
+fn sampled_closed_curves_have_no_corner_at_the_seam() {
+    let sampled = Trial::of("Tween Two Curves").item(circle(1.0, 0.0)).item(circle(3.0, 0.0)).item(0.5);
+    let found = curve(sampled.item(0).item(12));
+    assert!(found.is_closed());
+    let domain = found.domain();
+    let (end, start) = (found.tangent_on_side(domain.end, true), found.tangent_on_side(domain.start, false));
+    assert!(end.unwrap().angle_to(start.unwrap()).unwrap() < 1e-9);
+    // Control points on the circle between pull the curve inwards by what the uniform cubic does at all of them alike.
+    let inside = 2.0 * (2.0 + (std::f64::consts::TAU / 12.0).cos()) / 3.0;
+    assert!(found.start().distance_to(Point3::new(inside, 0.0, 0.0)) < 1e-9, "{:?}", found.start());
+}
+
+#[test]
 fn polylines_keep_their_corners() {
     let corner = Curve::from(
         PolylineCurve::new(vec![Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Point3::new(1.0, 1.0, 0.0)])
