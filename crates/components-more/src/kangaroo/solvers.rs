@@ -367,7 +367,7 @@ fn soft_and_hard_solver(
     if on && !reset {
         let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
         let hard_steps = usize::try_from(hard_steps).unwrap_or(0).min(1000);
-        let most = whole.most_steps() / (hard_steps + 1);
+        let most = whole.most_steps_of(hard_steps + 1);
         let mut rested = false;
         for _ in 0..most.max(1) {
             context.check()?;

@@ -388,3 +388,21 @@ fn plastic_lengths_give_way_to_their_limit() {
     let little = [anchor(o), drawn(q, p(1.08, 0.0, 0.0), 5.0), plastic(5.0)].concat();
     near(points(&solved(little))[1].x, 1.04, 1e-3);
 }
+
+/// The end of a chain of hard lengths drawn softly to a place out of reach: 400 steps of the soft goal, each with 50 of the hard ones,
+/// are not enough.
+#[test]
+fn soft_goals_come_to_rest_beside_hard_ones() {
+    let at: Vec<Point3> = (0..=4).map(|i| p(2.0 * f64::from(i), f64::from(i % 2), 0.0)).collect();
+    let out_of_reach = p(14.0, 4.0, 0.0);
+    let soft = Tree::branch_at(Path::zero(), Column::of_values(drawn(at[4], out_of_reach, 1.0), None));
+    let links = at.windows(2).flat_map(|pair| spring(pair[0], pair[1], 5_f64.sqrt(), 1.0));
+    let hard: Vec<Value> = anchor(at[0]).into_iter().chain(links).collect();
+    let hard = Tree::branch_at(Path::zero(), Column::of_values(hard, None));
+    let outcome = Trial::of("Soft & Hard Solver").tree(soft).tree(hard).item(50).item(0.05).run();
+    assert!(outcome.messages.is_empty(), "{:?}", outcome.messages);
+    let end = points(&outcome)[0] - at[0];
+    let way = (out_of_reach - at[0]).unitized().unwrap();
+    near(end.cross(way).length(), 0.0, 1e-5);
+    near(end.length(), 4.0 * 5_f64.sqrt(), 0.02);
+}
