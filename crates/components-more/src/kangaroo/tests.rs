@@ -406,3 +406,30 @@ fn soft_goals_come_to_rest_beside_hard_ones() {
     near(end.cross(way).length(), 0.0, 1e-5);
     near(end.length(), 4.0 * 5_f64.sqrt(), 0.02);
 }
+
+/// A steep dome with uneven faces, its rim held.
+#[test]
+fn tangential_smoothing_comes_to_rest_on_the_surface() {
+    const N: usize = 12;
+    let side = Interval::new(0.0, 8.0);
+    let flat = Mesh::plane(&Rectangle { plane: Plane::XY, x: side, y: side }, N, N).unwrap();
+    let height = |x: f64, y: f64| x * (8.0 - x) / 6.0 * y * (8.0 - y) / 16.0;
+    let on_rim = |q: &Point3| [q.x, q.y].iter().any(|x| *x <= 0.0 || *x >= 8.0);
+    let uneven = |q: &Point3| {
+        let by = if on_rim(q) { 0.0 } else { 0.3 };
+        let (x, y) = (q.x + by * (37.0 * q.x + 11.0 * q.y).sin(), q.y + by * (17.0 * q.x - 53.0 * q.y).cos());
+        p(x, y, height(x, y))
+    };
+    let mesh = Mesh::new(flat.vertices().iter().map(uneven).collect(), flat.faces().to_vec()).unwrap();
+    let mut all = goals(Trial::of("TangentialSmooth").item(mesh.clone()));
+    all.extend(mesh.vertices().iter().filter(|q| on_rim(q)).flat_map(|q| anchor(*q)));
+    all.extend(goals(Trial::of("Show").item(mesh)));
+    let tree = Tree::branch_at(Path::zero(), Column::of_values(all, None));
+    let outcome = Trial::of("ZombieSolver").tree(tree).default().default().item(200).run();
+    let steps = outcome.outputs[0].column().get(0);
+    assert!(matches!(steps, Some(Value::Integer(n)) if n < 200), "{steps:?}");
+    let Some(Some(Value::Mesh(smooth))) = outcome.outputs[2].column().iter().last() else { panic!() };
+    for q in smooth.vertices() {
+        assert!((q.z - height(q.x, q.y)).abs() < 0.2, "{q:?} left the dome at {}", height(q.x, q.y));
+    }
+}
