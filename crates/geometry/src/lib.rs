@@ -132,7 +132,9 @@ pub use nurbs::{
     bezier_to_hermite, check_knots, clamped_uniform_knots, de_casteljau, hermite_to_bezier,
     periodic_uniform_knots, placed_knots, span_index,
 };
-pub use nurbs::{Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, compatible_curves};
+pub use nurbs::{
+    Direction, NurbsSurface, Quadrant, Side, SurfaceDerivatives, combined_curves, compatible_curves,
+};
 pub use offset::OffsetCorner;
 pub use plane::{Plane, PlaneEquation};
 pub use point::Point3;

@@ -91,12 +91,13 @@ impl Hand {
         !self.holds.is_empty()
     }
 
-    /// The most steps of a solve: few while a particle is held, as the next solve follows.
-    pub(super) fn most_steps(&self, system: &System) -> usize {
+    /// The most steps of a solve, each of which takes all pulls so many times: few while a particle is held, as the next solve
+    /// follows.
+    pub(super) fn most_steps(&self, system: &System, times: usize) -> usize {
         if !self.is_held() {
-            return system.most_steps();
+            return system.most_steps_of(times);
         }
-        (HELD_PULLS / system.pull_count().max(1)).clamp(1, HELD_STEPS)
+        (HELD_PULLS / system.pull_count().saturating_mul(times).max(1)).clamp(1, HELD_STEPS)
     }
 
     /// Keeps where the system is.

@@ -219,7 +219,12 @@ impl System {
 
     /// The number of steps that may be taken at most when nobody says how many.
     pub(super) fn most_steps(&self) -> usize {
-        (MOST_PULLS / self.pulls.len().max(1)).clamp(50, MOST_STEPS)
+        self.most_steps_of(1)
+    }
+
+    /// The same where each step takes all pulls so many times.
+    pub(super) fn most_steps_of(&self, times: usize) -> usize {
+        (MOST_PULLS / self.pulls.len().saturating_mul(times).max(1)).clamp(50, MOST_STEPS)
     }
 
     /// One step; gives the mean square of the moves.

@@ -425,8 +425,8 @@ fn soft_and_hard_solver(
         strict.hold_as(&whole, gentle.goals.len());
         let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
         let turns = Turns { share, hard_steps: usize::try_from(hard_steps).unwrap_or(0).min(1000), rest };
-        let (is_held, most) = (hand.is_held(), hand.most_steps(&whole) / (turns.hard_steps + 1));
-        let rested = turns.take(context, &mut gentle, &mut strict, most.max(1));
+        let (is_held, most) = (hand.is_held(), hand.most_steps(&whole, turns.hard_steps + 1));
+        let rested = turns.take(context, &mut gentle, &mut strict, most);
         whole.points.clone_from(&strict.points);
         whole.steps += gentle.steps;
         hand.keep(context, &whole);

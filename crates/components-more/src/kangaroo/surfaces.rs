@@ -227,7 +227,8 @@ fn polygon_area(
     Goal::item("Kangaroo goal: PolygonArea", points, rule)
 }
 
-/// A point pulled to the mean of its neighbours, which are pushed back as much together.
+/// A point pulled to the mean of its neighbours, which are pushed back as much together; within the surface only it moves alone,
+/// as what would be within its own tangent plane leads the neighbours out of theirs, and the surface would grow.
 #[derive(Debug)]
 struct Smooth {
     tangential: bool,
@@ -250,6 +251,9 @@ impl Rule for Smooth {
             }
         }
         *own = Pull::new(way * 0.5, self.strength);
+        if self.tangential {
+            return;
+        }
         let back = way * (-0.5 / around.len() as f64);
         others.fill(Pull::new(back, self.strength));
     }

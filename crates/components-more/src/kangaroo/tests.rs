@@ -388,3 +388,48 @@ fn plastic_lengths_give_way_to_their_limit() {
     let little = [anchor(o), drawn(q, p(1.08, 0.0, 0.0), 5.0), plastic(5.0)].concat();
     near(points(&solved(little))[1].x, 1.04, 1e-3);
 }
+
+/// The end of a chain of hard lengths drawn softly to a place out of reach: 400 steps of the soft goal, each with 50 of the hard ones,
+/// are not enough.
+#[test]
+fn soft_goals_come_to_rest_beside_hard_ones() {
+    let at: Vec<Point3> = (0..=4).map(|i| p(2.0 * f64::from(i), f64::from(i % 2), 0.0)).collect();
+    let out_of_reach = p(14.0, 4.0, 0.0);
+    let soft = Tree::branch_at(Path::zero(), Column::of_values(drawn(at[4], out_of_reach, 1.0), None));
+    let links = at.windows(2).flat_map(|pair| spring(pair[0], pair[1], 5_f64.sqrt(), 1.0));
+    let hard: Vec<Value> = anchor(at[0]).into_iter().chain(links).collect();
+    let hard = Tree::branch_at(Path::zero(), Column::of_values(hard, None));
+    let outcome = Trial::of("Soft & Hard Solver").tree(soft).tree(hard).item(50).item(0.05).run();
+    assert!(outcome.messages.is_empty(), "{:?}", outcome.messages);
+    let end = points(&outcome)[0] - at[0];
+    let way = (out_of_reach - at[0]).unitized().unwrap();
+    near(end.cross(way).length(), 0.0, 1e-5);
+    near(end.length(), 4.0 * 5_f64.sqrt(), 0.02);
+}
+
+/// A steep dome with uneven faces, its rim held.
+#[test]
+fn tangential_smoothing_comes_to_rest_on_the_surface() {
+    const N: usize = 12;
+    let side = Interval::new(0.0, 8.0);
+    let flat = Mesh::plane(&Rectangle { plane: Plane::XY, x: side, y: side }, N, N).unwrap();
+    let height = |x: f64, y: f64| x * (8.0 - x) / 6.0 * y * (8.0 - y) / 16.0;
+    let on_rim = |q: &Point3| [q.x, q.y].iter().any(|x| *x <= 0.0 || *x >= 8.0);
+    let uneven = |q: &Point3| {
+        let by = if on_rim(q) { 0.0 } else { 0.3 };
+        let (x, y) = (q.x + by * (37.0 * q.x + 11.0 * q.y).sin(), q.y + by * (17.0 * q.x - 53.0 * q.y).cos());
+        p(x, y, height(x, y))
+    };
+    let mesh = Mesh::new(flat.vertices().iter().map(uneven).collect(), flat.faces().to_vec()).unwrap();
+    let mut all = goals(Trial::of("TangentialSmooth").item(mesh.clone()));
+    all.extend(mesh.vertices().iter().filter(|q| on_rim(q)).flat_map(|q| anchor(*q)));
+    all.extend(goals(Trial::of("Show").item(mesh)));
+    let tree = Tree::branch_at(Path::zero(), Column::of_values(all, None));
+    let outcome = Trial::of("ZombieSolver").tree(tree).default().default().item(200).run();
+    let steps = outcome.outputs[0].column().get(0);
+    assert!(matches!(steps, Some(Value::Integer(n)) if n < 200), "{steps:?}");
+    let Some(Some(Value::Mesh(smooth))) = outcome.outputs[2].column().iter().last() else { panic!() };
+    for q in smooth.vertices() {
+        assert!((q.z - height(q.x, q.y)).abs() < 0.2, "{q:?} left the dome at {}", height(q.x, q.y));
+    }
+}

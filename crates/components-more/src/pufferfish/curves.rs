@@ -10,7 +10,7 @@ use katydid_geometry::{
 
 use super::MOST_PARTS;
 use super::mix::Mix;
-use super::weights::{Way, pairs, weights};
+use super::weights::{Way, between, pairs, weights};
 
 /// How curves are prepared before they are blended.
 #[derive(Debug, Clone, Copy)]
@@ -28,12 +28,7 @@ impl Match {
                 return Err(Message::error("Point Sample needs at least two points"));
             }
             context.items(count)?;
-            // So many points with equal lengths between them; a closed curve meets itself in the first.
-            let parameters = curve.divide_by_count(count - 1)?;
-            let mut points = curve.points_at(&parameters);
-            points.resize(count, curve.end());
-            let degree = 3.min(count - 1);
-            return Ok(Shared::new(Curve::from(NurbsCurve::clamped_uniform(degree, &points)?)));
+            return Ok(Shared::new(Curve::from(sampled(curve, count)?)));
         }
         if let Some(degree) = self.refit.filter(|n| *n > 0) {
             let degree = usize::try_from(degree).unwrap_or(3).min(11);
@@ -44,9 +39,27 @@ impl Match {
     }
 }
 
+/// The degree of a curve whose control points are points of another one.
+const SAMPLED_DEGREE: usize = 3;
+
+/// A curve whose control points are so many points of another one with equal lengths between them. A closed curve is followed by a
+/// periodic one, which has no corner where it begins.
+fn sampled(curve: &Curve, count: usize) -> Result<NurbsCurve, Message> {
+    if curve.is_closed() && count >= SAMPLED_DEGREE {
+        let mut points = curve.points_at(&curve.divide_by_count(count)?);
+        // A uniform cubic begins beside its second control point.
+        points.rotate_right(1);
+        return Ok(NurbsCurve::periodic_uniform(SAMPLED_DEGREE, &points)?);
+    }
+    let mut points = curve.points_at(&curve.divide_by_count(count - 1)?);
+    points.resize(count, curve.end());
+    Ok(NurbsCurve::clamped_uniform(SAMPLED_DEGREE.min(count - 1), &points)?)
+}
+
 /// A curve between two. Stands for Pufferfish's Tween Two Curves.
 ///
-/// Control points are blended after both curves have been given the same degree and knots; polylines are matched by length.
+/// Points of equal parameters are blended: exactly where control points of both have the same weights over common knots, as those of
+/// circles have, else within the tolerance. Polylines are matched by length.
 #[component(
     "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f302a",
     name = "Tween Two Curves",
@@ -76,7 +89,8 @@ fn two(
         return Err(Message::error("The factor is not finite"));
     }
     let way = Match { refit, sample };
-    Mix::mix(&[(way.ready(context, &a)?, 1.0 - factor), (way.ready(context, &b)?, factor)])
+    let parts = [(way.ready(context, &a)?, 1.0 - factor), (way.ready(context, &b)?, factor)];
+    Mix::mix(&parts, context.tolerance().absolute)
 }
 
 /// Curves between neighbours of a set. Stands for Pufferfish's Tween Consecutive Curves.
@@ -92,7 +106,7 @@ fn consecutive(
     /// The set.
     #[port("Curves", "C")]
     curves: List<Shared<Curve>>,
-    /// 0 gives the first of each two neighbours, 1 the second.
+    /// 0 gives the first of each two neighbours, 1 the second; other numbers go beyond them along the line of the two.
     #[port("Factor", "F", default = 0.5)]
     factor: f64,
     /// Whether the set goes on from its last curve to its first.
@@ -111,18 +125,22 @@ fn consecutive(
     let way = Match { refit, sample };
     let curves: Vec<Shared<Curve>> =
         curves.present().map(|curve| way.ready(context, &curve)).collect::<Result<_, _>>()?;
+    let way = Way { normalized: false, closed, smooth: kind > 0 };
     pairs(curves.len(), closed)
         .into_iter()
-        .map(|[i, _]| {
+        .map(|pair| {
             context.check()?;
-            blend(&curves, i as f64 + factor, Way { normalized: false, closed, smooth: kind > 0 })
+            blend(context, &curves, between(curves.len(), pair, factor, way)?)
         })
         .collect()
 }
 
-/// The curve of a set at a factor.
-fn blend(curves: &[Shared<Curve>], factor: f64, way: Way) -> Result<Shared<Curve>, Message> {
-    let shares = weights(curves.len(), factor, way)?;
+/// Curves of a set blended by shares.
+fn blend(
+    context: &Context<'_>,
+    curves: &[Shared<Curve>],
+    shares: Vec<(usize, f64)>,
+) -> Result<Shared<Curve>, Message> {
     // A share of nothing still makes curves compatible, so that it is left out only where one curve is all.
     let shares = match shares.iter().find(|(_, share)| *share == 1.0) {
         Some(whole) => vec![*whole],
@@ -130,7 +148,7 @@ fn blend(curves: &[Shared<Curve>], factor: f64, way: Way) -> Result<Shared<Curve
     };
     let parts: Vec<(Shared<Curve>, f64)> =
         shares.into_iter().filter_map(|(i, share)| Some((curves.get(i)?.clone(), share))).collect();
-    Mix::mix(&parts)
+    Mix::mix(&parts, context.tolerance().absolute)
 }
 
 /// A curve on the way through a set. Stands for Pufferfish's Tween Through Curves.
@@ -172,7 +190,8 @@ fn through(
     let way = Match { refit, sample };
     let curves: Vec<Shared<Curve>> =
         curves.present().map(|curve| way.ready(context, &curve)).collect::<Result<_, _>>()?;
-    blend(&curves, factor, Way { normalized, closed, smooth: kind > 0 })
+    let way = Way { normalized, closed, smooth: kind > 0 };
+    blend(context, &curves, weights(curves.len(), factor, way)?)
 }
 
 /// A smooth curve that follows another one with evenly spaced control points. Stands for Pufferfish's Rebuild Curve.

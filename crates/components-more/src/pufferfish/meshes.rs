@@ -567,6 +567,7 @@ fn reduce(
 )]
 #[output("Blend", "B", "The mesh.")]
 fn blend_two(
+    context: &Context<'_>,
     /// What factor 0 gives.
     #[port("Mesh A", "A")]
     a: Shared<Mesh>,
@@ -578,7 +579,7 @@ fn blend_two(
     factors: List<f64>,
 ) -> Result<Shared<Mesh>, Message> {
     // Half of each tells whether they go together.
-    let half = Shared::<Mesh>::mix(&[(a.clone(), 0.5), (b.clone(), 0.5)])?;
+    let half = Shared::<Mesh>::mix(&[(a.clone(), 0.5), (b.clone(), 0.5)], context.tolerance().absolute)?;
     let factors: Vec<f64> = factors.present().collect();
     let factor = |i: usize| factors.get(i).or(factors.last()).copied().unwrap_or(0.5);
     let pairs = a.vertices().iter().zip(b.vertices()).enumerate();

@@ -6,16 +6,16 @@ use katydid_component::Message;
 use katydid_data::Colour;
 use katydid_geometry::{
     Curve, Direction, Interval, Mesh, NurbsCurve, NurbsSurface, Plane, Point3, PolylineCurve, Quaternion,
-    Surface, Vector3, Xform, compatible_curves,
+    Surface, Vector3, Xform, combined_curves,
 };
 
 /// What can be added up by shares.
 pub(super) trait Mix: Sized {
-    /// The sum of things times their shares.
+    /// The sum of things times their shares. What cannot be added up as it stands is replaced within the tolerance.
     ///
     /// # Errors
     /// The things do not go together, or the sum is none of them.
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message>;
+    fn mix(parts: &[(Self, f64)], tolerance: f64) -> Result<Self, Message>;
 }
 
 fn sum<T>(parts: &[(T, f64)], number: impl Fn(&T) -> f64) -> f64 {
@@ -23,38 +23,38 @@ fn sum<T>(parts: &[(T, f64)], number: impl Fn(&T) -> f64) -> f64 {
 }
 
 impl Mix for f64 {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], _: f64) -> Result<Self, Message> {
         Ok(sum(parts, |x| *x))
     }
 }
 
 impl Mix for Interval {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], _: f64) -> Result<Self, Message> {
         Ok(Self::new(sum(parts, |d| d.start), sum(parts, |d| d.end)))
     }
 }
 
 impl Mix for Point3 {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], _: f64) -> Result<Self, Message> {
         Ok(Self::new(sum(parts, |p| p.x), sum(parts, |p| p.y), sum(parts, |p| p.z)))
     }
 }
 
 impl Mix for Vector3 {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], _: f64) -> Result<Self, Message> {
         Ok(Self::new(sum(parts, |p| p.x), sum(parts, |p| p.y), sum(parts, |p| p.z)))
     }
 }
 
 impl Mix for Colour {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], _: f64) -> Result<Self, Message> {
         let channel = |of: fn(&Self) -> u8| sum(parts, |c| f64::from(of(c))).round().clamp(0.0, 255.0) as u8;
         Ok(Self::argb(channel(|c| c.a), channel(|c| c.r), channel(|c| c.g), channel(|c| c.b)))
     }
 }
 
 impl Mix for Xform {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], _: f64) -> Result<Self, Message> {
         let mut mixed = Self::IDENTITY;
         for (i, row) in mixed.rows.iter_mut().enumerate() {
             for (j, x) in row.iter_mut().enumerate() {
@@ -66,14 +66,14 @@ impl Mix for Xform {
 }
 
 impl Mix for Plane {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], tolerance: f64) -> Result<Self, Message> {
         let origins: Vec<(Point3, f64)> = parts.iter().map(|(plane, share)| (plane.origin, *share)).collect();
         let along = |of: fn(&Self) -> Vector3| {
             let axes: Vec<(Vector3, f64)> = parts.iter().map(|(plane, share)| (of(plane), *share)).collect();
-            Vector3::mix(&axes)
+            Vector3::mix(&axes, tolerance)
         };
         let (x, y) = (along(|p| p.x_axis)?, along(|p| p.y_axis)?);
-        Self::from_axes(Point3::mix(&origins)?, x, y).map_err(|_| {
+        Self::from_axes(Point3::mix(&origins, tolerance)?, x, y).map_err(|_| {
             Message::error("Axes that are opposite each other have no mean: turn by quaternions")
         })
     }
@@ -81,25 +81,23 @@ impl Mix for Plane {
 
 /// A plane a share of the way to another one, turned about one axis all the way.
 pub(super) fn turned(a: &Plane, b: &Plane, share: f64) -> Result<Plane, Message> {
-    let origin = Point3::mix(&[(a.origin, 1.0 - share), (b.origin, share)])?;
+    let origin = a.origin.lerp(b.origin, share);
     let turn = Quaternion::between_planes(a, b).unitized().and_then(|q| q.pow(share));
     let axes = turn.and_then(|q| Some((q.rotate(a.x_axis)?, q.rotate(a.y_axis)?)));
     let (x, y) = axes.ok_or_else(|| Message::error("The planes have no turn between them"))?;
     Ok(Plane::from_axes(origin, x, y)?)
 }
 
-/// Curves over 0 to 1 with the same degree and knots.
-pub(super) fn compatible(curves: &[Shared<Curve>]) -> Result<Vec<NurbsCurve>, Message> {
+/// Curves over 0 to 1, so that points of equal parameters belong together.
+fn over_unit(curves: &[Shared<Curve>]) -> Result<Vec<NurbsCurve>, Message> {
     let polylines: Option<Vec<Vec<Point3>>> = curves.iter().map(|curve| curve.as_polyline()).collect();
-    let nurbs: Vec<NurbsCurve> = match polylines {
+    match polylines {
         // Corners are matched by the lengths up to them, so that polylines of different counts keep their shapes.
-        Some(polylines) => polylines.into_iter().map(by_length).collect::<Result<_, _>>()?,
-        None => curves
-            .iter()
-            .map(|curve| Ok(curve.with_domain(Interval::UNIT)?.to_nurbs()?.clamped()?))
-            .collect::<Result<_, Message>>()?,
-    };
-    Ok(compatible_curves(&nurbs)?)
+        Some(polylines) => polylines.into_iter().map(by_length).collect(),
+        None => {
+            curves.iter().map(|curve| Ok(curve.with_domain(Interval::UNIT)?.to_nurbs()?.clamped()?)).collect()
+        }
+    }
 }
 
 /// A polyline over 0 to 1 in proportion to its length.
@@ -120,27 +118,19 @@ fn by_length(points: Vec<Point3>) -> Result<NurbsCurve, Message> {
 }
 
 impl Mix for Shared<Curve> {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], tolerance: f64) -> Result<Self, Message> {
         if let [(curve, share)] = parts
             && *share == 1.0
         {
             return Ok(curve.clone());
         }
+        if parts.is_empty() {
+            return Err(Message::warning("There are no curves"));
+        }
         let curves: Vec<Self> = parts.iter().map(|(curve, _)| curve.clone()).collect();
-        let curves = compatible(&curves)?;
-        let first = curves.first().ok_or_else(|| Message::warning("There are no curves"))?;
-        let points = (0..first.point_count()).map(|i| {
-            let mut point = [0.0; 4];
-            for (curve, (_, share)) in curves.iter().zip(parts) {
-                let own = curve.homogeneous_point(i).unwrap_or([0.0, 0.0, 0.0, 1.0]);
-                for (x, own) in point.iter_mut().zip(own) {
-                    *x += own * share;
-                }
-            }
-            point
-        });
-        let curve = NurbsCurve::rational(first.degree(), points.collect(), first.knots().to_vec())?;
-        Ok(Self::new(Curve::from(curve.to_non_rational().unwrap_or(curve))))
+        let shares = parts.iter().map(|(_, share)| *share);
+        let parts: Vec<(NurbsCurve, f64)> = over_unit(&curves)?.into_iter().zip(shares).collect();
+        Ok(Self::new(Curve::from(combined_curves(&parts, tolerance)?)))
     }
 }
 
@@ -203,7 +193,7 @@ fn counted(knots: &[f64], same: f64) -> Vec<(f64, usize)> {
 }
 
 impl Mix for Shared<Surface> {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], _: f64) -> Result<Self, Message> {
         let surfaces: Vec<Self> = parts.iter().map(|(surface, _)| surface.clone()).collect();
         let surfaces = compatible_surfaces(&surfaces)?;
         let first = surfaces.first().ok_or_else(|| Message::warning("There are no surfaces"))?;
@@ -222,7 +212,7 @@ impl Mix for Shared<Surface> {
 }
 
 impl Mix for Shared<Mesh> {
-    fn mix(parts: &[(Self, f64)]) -> Result<Self, Message> {
+    fn mix(parts: &[(Self, f64)], _: f64) -> Result<Self, Message> {
         let (first, _) = parts.first().ok_or_else(|| Message::warning("There are no meshes"))?;
         if parts
             .iter()

@@ -16,6 +16,7 @@ use super::weights::{Way, pairs, weights};
 )]
 #[output("Tween", "T", "The plane between.")]
 fn two(
+    context: &Context<'_>,
     /// What factor 0 gives.
     #[port("Plane A", "A")]
     a: Plane,
@@ -32,7 +33,10 @@ fn two(
     if !factor.is_finite() {
         return Err(Message::error("The factor is not finite"));
     }
-    if quaternion { turned(&a, &b, factor) } else { Plane::mix(&[(a, 1.0 - factor), (b, factor)]) }
+    if quaternion {
+        return turned(&a, &b, factor);
+    }
+    Plane::mix(&[(a, 1.0 - factor), (b, factor)], context.tolerance().absolute)
 }
 
 /// Planes between neighbours of a set. Stands for Pufferfish's Tween Consecutive Planes.
@@ -117,7 +121,7 @@ fn through_planes(
     unsupported(context, equalized, weighted);
     let way = Way { normalized, closed, smooth: degree > 1 && !quaternion };
     if !quaternion {
-        return through(&planes, factor, way);
+        return through(context, &planes, factor, way);
     }
     let all: Vec<Plane> = planes.present().collect();
     match weights(all.len(), factor, way)?.as_slice() {

@@ -55,6 +55,61 @@ fn the_middle_of_two_circles_is_the_circle_between() {
     assert!((mean.as_circle(1e-9).unwrap().radius - 3.0).abs() < 1e-12);
 }
 
+/// Circles of one start have the same weights; a circle and an arc do not.
+#[test]
+fn tweens_of_rational_curves_are_means_without_kinks() {
+    let round = circle(2.0, 0.0);
+    let aside = Plane::XY.with_origin(Point3::new(3.0, 1.0, 5.0));
+    let aside = Curve::from(Circle::new(aside, 2.0).unwrap());
+    let found = curve(Trial::of("Tween Two Curves").item(round.clone()).item(aside).item(0.5));
+    assert!((found.as_circle(1e-9).unwrap().radius - 2.0).abs() < 1e-9);
+    let [a, b, c] = [[2.0, 0.0, 1.0], [0.0, 3.0, 4.0], [-2.5, 0.0, 1.0]].map(Point3::from);
+    let bow = Curve::from(katydid_geometry::Arc::through(a, b, c).unwrap());
+    let mixed = curve(Trial::of("Tween Two Curves").item(round.clone()).item(bow.clone()).item(0.5));
+    // Parameters are those of the NURBS forms, not angles.
+    let [round, bow] = [round, bow].map(|curve| Curve::from(curve.to_nurbs().unwrap()));
+    let mut before: Option<Vector3> = None;
+    for i in 0..=2000 {
+        let t = f64::from(i) / 2000.0;
+        let at = |curve: &Curve| curve.point_at(curve.domain().at(t));
+        assert!(at(&mixed).distance_to(at(&round).lerp(at(&bow), 0.5)) < 1e-3);
+        let tangent = mixed.tangent_at(mixed.domain().at(t)).unwrap();
+        assert!(before.is_none_or(|before| before.angle_to(tangent).unwrap() < 0.02), "a kink at {t}");
+        before = Some(tangent);
+    }
+}
+
+/// Beyond its ends each pair goes on along its own line, as pairs of points do.
+#[test]
+fn consecutive_curves_go_beyond_their_pairs() {
+    let set = [circle(1.0, 0.0), circle(2.0, 1.0), circle(5.0, 5.0)];
+    for (factor, heights) in [(1.5, [1.5, 7.0]), (-1.0, [-1.0, -3.0]), (1.0, [1.0, 5.0])] {
+        let run = Trial::of("Tween Consecutive Curves").list(set.clone()).item(factor).run();
+        let found: Vec<f64> = run.outputs[0]
+            .column()
+            .iter()
+            .map(|value| match value {
+                Some(Value::Curve(curve)) => curve.start().z,
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        assert_eq!(found, heights, "{factor}");
+    }
+}
+
+#[test]
+fn sampled_closed_curves_have_no_corner_at_the_seam() {
+    let sampled = Trial::of("Tween Two Curves").item(circle(1.0, 0.0)).item(circle(3.0, 0.0)).item(0.5);
+    let found = curve(sampled.item(0).item(12));
+    assert!(found.is_closed());
+    let domain = found.domain();
+    let (end, start) = (found.tangent_on_side(domain.end, true), found.tangent_on_side(domain.start, false));
+    assert!(end.unwrap().angle_to(start.unwrap()).unwrap() < 1e-9);
+    // Control points on the circle between pull the curve inwards by what the uniform cubic does at all of them alike.
+    let inside = 2.0 * (2.0 + (std::f64::consts::TAU / 12.0).cos()) / 3.0;
+    assert!(found.start().distance_to(Point3::new(inside, 0.0, 0.0)) < 1e-9, "{:?}", found.start());
+}
+
 #[test]
 fn polylines_keep_their_corners() {
     let corner = Curve::from(

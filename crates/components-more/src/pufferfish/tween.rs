@@ -7,7 +7,7 @@ use katydid_data::{Colour, Item};
 use katydid_geometry::{Curve, Interval, Mesh, Point3, Surface, Vector3, Xform};
 
 use super::mix::Mix;
-use super::weights::{Way, pairs, weights};
+use super::weights::{Way, between, pairs, weights};
 
 /// Says what is not supported of a way through a set.
 pub(super) fn unsupported(context: &Context<'_>, equalized: bool, weighted: bool) {
@@ -19,17 +19,26 @@ pub(super) fn unsupported(context: &Context<'_>, equalized: bool, weighted: bool
     }
 }
 
+/// Items of a set blended by shares.
+fn blended<T: Mix + Clone>(
+    context: &Context<'_>,
+    items: &[T],
+    shares: Vec<(usize, f64)>,
+) -> Result<T, Message> {
+    let parts: Vec<(T, f64)> =
+        shares.into_iter().filter_map(|(i, share)| Some((items.get(i)?.clone(), share))).collect();
+    T::mix(&parts, context.tolerance().absolute)
+}
+
 /// The item of a set at a factor.
 pub(super) fn through<T: Mix + Item + Clone>(
+    context: &Context<'_>,
     items: &List<'_, T>,
     factor: f64,
     way: Way,
 ) -> Result<T, Message> {
     let items: Vec<T> = items.present().collect();
-    let shares = weights(items.len(), factor, way)?;
-    let parts: Vec<(T, f64)> =
-        shares.into_iter().filter_map(|(i, share)| Some((items.get(i)?.clone(), share))).collect();
-    T::mix(&parts)
+    blended(context, &items, weights(items.len(), factor, way)?)
 }
 
 /// The item at a factor between each two neighbours.
@@ -40,28 +49,20 @@ pub(super) fn consecutive<T: Mix + Item + Clone>(
     closed: bool,
     smooth: bool,
 ) -> Result<Vec<T>, Message> {
-    let count = items.present().count();
-    context.items(count)?;
+    let items: Vec<T> = items.present().collect();
+    context.items(items.len())?;
     let way = Way { normalized: false, closed, smooth };
-    let parts = pairs(count, closed);
-    parts
-        .iter()
-        .map(|[i, _]| {
+    pairs(items.len(), closed)
+        .into_iter()
+        .map(|pair| {
             context.check()?;
-            // A factor beyond 0 to 1 goes on along the line of the pair.
-            if (0.0..=1.0).contains(&factor) {
-                return through(items, *i as f64 + factor, way);
-            }
-            let all: Vec<T> = items.present().collect();
-            let pair = [(*i, 1.0 - factor), ((i + 1) % count, factor)];
-            let pair = pair.iter().filter_map(|(i, share)| Some((all.get(*i)?.clone(), *share)));
-            T::mix(&pair.collect::<Vec<_>>())
+            blended(context, &items, between(items.len(), pair, factor, way)?)
         })
         .collect()
 }
 
 /// The mean of a set, by weights where there are some.
-fn mean<T: Mix + Item>(items: &List<'_, T>, weights: &[f64]) -> Result<T, Message> {
+fn mean<T: Mix + Item>(context: &Context<'_>, items: &List<'_, T>, weights: &[f64]) -> Result<T, Message> {
     let items: Vec<T> = items.present().collect();
     if items.is_empty() {
         return Err(Message::warning("There is nothing to average"));
@@ -76,7 +77,7 @@ fn mean<T: Mix + Item>(items: &List<'_, T>, weights: &[f64]) -> Result<T, Messag
     }
     let parts: Vec<(T, f64)> =
         items.into_iter().enumerate().map(|(i, item)| (item, weight(i) / total)).collect();
-    T::mix(&parts)
+    T::mix(&parts, context.tolerance().absolute)
 }
 
 /// Tween Two, Tween Consecutive and Tween Through of one type.
@@ -91,6 +92,7 @@ macro_rules! tweens {
         #[component($two_id, name = $two_name, nick = $two_nick, at = $panel)]
         #[output("Tween", "T", "What lies between.")]
         fn $two(
+            context: &Context<'_>,
             /// What factor 0 gives.
             #[port($one_a, "A")]
             a: $type,
@@ -104,7 +106,7 @@ macro_rules! tweens {
             if !factor.is_finite() {
                 return Err(Message::error("The factor is not finite"));
             }
-            <$type>::mix(&[(a, 1.0 - factor), (b, factor)])
+            <$type>::mix(&[(a, 1.0 - factor), (b, factor)], context.tolerance().absolute)
         }
 
         #[doc = $con_help]
@@ -166,7 +168,7 @@ macro_rules! tweens {
             _spacing: Option<i32>,
         ) -> Result<$type, Message> {
             unsupported(context, equalized, weighted);
-            through(&items, factor, Way { normalized, closed, smooth: degree > 1 })
+            through(context, &items, factor, Way { normalized, closed, smooth: degree > 1 })
         }
     };
 }
@@ -255,17 +257,19 @@ macro_rules! averages {
         #[component($plain_id, name = $plain_name, nick = $plain_nick, at = $panel)]
         #[output("Arithmetic mean", "AM", "The mean.")]
         fn $plain(
+            context: &Context<'_>,
             /// The set.
             #[port($many, $many_nick)]
             items: List<$type>,
         ) -> Result<$type, Message> {
-            mean(&items, &[])
+            mean(context, &items, &[])
         }
 
         #[doc = $weighted_help]
         #[component($weighted_id, name = $weighted_name, nick = $weighted_nick, at = $panel)]
         #[output("Arithmetic mean", "AM", "The mean.")]
         fn $weighted(
+            context: &Context<'_>,
             /// The set.
             #[port($many, $many_nick)]
             items: List<$type>,
@@ -273,7 +277,7 @@ macro_rules! averages {
             #[port("Weights", "W")]
             weights: List<f64>,
         ) -> Result<$type, Message> {
-            mean(&items, &weights.present().collect::<Vec<f64>>())
+            mean(context, &items, &weights.present().collect::<Vec<f64>>())
         }
     };
 }

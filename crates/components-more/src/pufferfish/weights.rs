@@ -52,6 +52,23 @@ pub(super) fn weights(count: usize, factor: f64, way: Way) -> Result<Vec<(usize,
     Ok(shares)
 }
 
+/// The numbers of items with their shares between item `i` of a set and the next. A factor beyond 0 to 1 goes on along the straight
+/// line of the pair.
+///
+/// # Errors
+/// As [`weights`].
+pub(super) fn between(
+    count: usize,
+    [i, next]: [usize; 2],
+    factor: f64,
+    way: Way,
+) -> Result<Vec<(usize, f64)>, Message> {
+    if (0.0..=1.0).contains(&factor) || !factor.is_finite() {
+        return weights(count, i as f64 + factor, Way { normalized: false, ..way });
+    }
+    Ok(vec![(i, 1.0 - factor), (next, factor)])
+}
+
 /// The pairs of neighbours in a set, the last with the first where it is closed.
 pub(super) fn pairs(count: usize, closed: bool) -> Vec<[usize; 2]> {
     let parts = if closed && count > 1 { count } else { count.saturating_sub(1) };

@@ -5,7 +5,7 @@ use std::sync::Arc as Shared;
 use katydid_component::{Context, List, Message, component};
 use katydid_geometry::{
     Curve, Interval, KnotSpacing, NurbsCurve, Point3, PolyCurve, PolylineCurve, Vector3,
-    clamped_uniform_knots, hermite_to_bezier, periodic_uniform_knots,
+    clamped_uniform_knots, combined_curves, hermite_to_bezier, periodic_uniform_knots,
 };
 
 use super::{measured, shared, warning};
@@ -339,9 +339,11 @@ fn sub_curve(
     Ok(shared(curve.sub_curve(range).map_err(warning)?))
 }
 
-/// A curve between two others: control points are mixed after both have been given the same degree and knots.
+/// A curve between two others: points of equal parameters are mixed.
 ///
-/// The curves run alongside each other from start to start; flip one when they do not.
+/// Control points are, where those of both curves have the same weights once both have the same degree and knots; curves with different
+/// weights, such as an arc and a line, are followed within the tolerance. The curves run alongside each other from start to start; flip
+/// one when they do not.
 #[component(
     "139619d2-8b18-47b6-b3b9-bf4fec0d6eb1",
     name = "Tween Curve",
@@ -350,6 +352,7 @@ fn sub_curve(
 )]
 #[output("Tween", "T", "The curve between.")]
 fn tween_curve(
+    context: &Context<'_>,
     /// The curve at factor 0.
     #[port("Curve A", "A")]
     a: &Curve,
@@ -360,44 +363,19 @@ fn tween_curve(
     #[port("Factor", "F", default = 0.5)]
     factor: f64,
 ) -> Result<Shared<Curve>, Message> {
-    let (a, b) = compatible(a, b)?;
-    let mix = |p: &[f64; 4], q: &[f64; 4]| std::array::from_fn(|k| p[k] * (1.0 - factor) + q[k] * factor);
-    let points = a.homogeneous_points().iter().zip(&b.homogeneous_points()).map(|(p, q)| mix(p, q)).collect();
-    let curve = NurbsCurve::rational(a.degree(), points, a.knots().to_vec()).map_err(warning)?;
-    Ok(shared(Curve::Nurbs(curve.to_non_rational().unwrap_or(curve))))
-}
-
-/// Two curves as NURBS curves of one degree over the same knots, domain 0 to 1.
-fn compatible(a: &Curve, b: &Curve) -> Result<(NurbsCurve, NurbsCurve), Message> {
-    let unit = |c: &Curve| -> Result<NurbsCurve, Message> {
-        Ok(c.with_domain(Interval::UNIT)?.to_nurbs()?.clamped()?)
+    let unit = |curve: &Curve| -> Result<NurbsCurve, Message> {
+        Ok(curve.with_domain(Interval::UNIT)?.to_nurbs()?.clamped()?)
     };
-    let (mut a, mut b) = (unit(a)?, unit(b)?);
-    let p = a.degree().max(b.degree());
-    (a, b) = (a.raised_to(p)?, b.raised_to(p)?);
-    let (before, after) = (a.clone(), b.clone());
-    let inner = |c: &NurbsCurve| {
-        let mut knots = c.knots().to_vec();
-        knots.dedup();
-        knots.into_iter().filter(|&t| t > 0.0 && t < 1.0).collect::<Vec<f64>>()
-    };
-    for t in inner(&after) {
-        a = a.insert_knot(t, after.multiplicity(t))?;
-    }
-    for t in inner(&before) {
-        b = b.insert_knot(t, before.multiplicity(t))?;
-    }
-    if a.knots().len() != b.knots().len() {
-        return Err(Message::error("The curves' knots lie too close together to be merged"));
-    }
-    Ok((a, b))
+    let parts = [(unit(a)?, 1.0 - factor), (unit(b)?, factor)];
+    let tween = combined_curves(&parts, context.tolerance().absolute).map_err(warning)?;
+    Ok(shared(Curve::Nurbs(tween)))
 }
 
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::{Trial, texts};
     use katydid_data::Value;
-    use katydid_geometry::{Curve, Interval, Line, Point3, Vector3};
+    use katydid_geometry::{Arc, Circle, Curve, Interval, Line, Plane, Point3, Vector3};
 
     fn points(xy: &[[f64; 2]]) -> Vec<Point3> {
         xy.iter().map(|&[x, y]| Point3::new(x, y, 0.0)).collect()
@@ -487,5 +465,35 @@ mod tests {
         let high = Trial::of("PolyLine").list(high).run().outputs[0].clone();
         let middle = curve(Trial::of("Tween Curve").item(low).tree(high).item(0.5));
         assert!(middle.point_at(0.5).distance_to(Point3::new(2.0, 3.0, 0.0)) < 1e-12);
+    }
+
+    /// Circles have the same weights, a circle and an arc do not.
+    #[test]
+    fn tweens_of_rational_curves_are_means_without_kinks() {
+        let circle = |centre: Point3, radius: f64| {
+            Curve::from(Circle::new(Plane::XY.with_origin(centre), radius).unwrap())
+        };
+        let tween =
+            |a: &Curve, b: &Curve| curve(Trial::of("Tween Curve").item(a.clone()).item(b.clone()).item(0.5));
+        let shifted = tween(&circle(Point3::ORIGIN, 2.0), &circle(Point3::new(3.0, 1.0, 5.0), 2.0));
+        assert!((shifted.as_circle(1e-9).unwrap().radius - 2.0).abs() < 1e-9);
+        let between = tween(&circle(Point3::ORIGIN, 1.0), &circle(Point3::ORIGIN, 3.0));
+        assert!((between.as_circle(1e-9).unwrap().radius - 2.0).abs() < 1e-9);
+        let (round, bow) = (circle(Point3::ORIGIN, 2.0), {
+            let [a, b, c] = [[2.0, 0.0, 1.0], [0.0, 3.0, 4.0], [-2.5, 0.0, 1.0]].map(Point3::from);
+            Curve::from(Arc::through(a, b, c).unwrap())
+        });
+        let mixed = tween(&round, &bow);
+        // Parameters are those of the NURBS forms, not angles.
+        let (round, bow) = (round.to_nurbs().unwrap(), bow.to_nurbs().unwrap());
+        let mut before: Option<Vector3> = None;
+        for i in 0..=2000 {
+            let t = f64::from(i) / 2000.0;
+            let mean = round.point_at(round.domain().at(t)).lerp(bow.point_at(bow.domain().at(t)), 0.5);
+            assert!(mixed.point_at(t).distance_to(mean) < 1e-3);
+            let tangent = mixed.tangent_at(t).unwrap();
+            assert!(before.is_none_or(|before| before.angle_to(tangent).unwrap() < 0.02), "a kink at {t}");
+            before = Some(tangent);
+        }
     }
 }

@@ -3,6 +3,7 @@
 mod batch;
 mod bezier;
 mod blossom;
+mod combination;
 mod compatible;
 mod conic;
 mod construction;
@@ -39,6 +40,7 @@ mod uniform;
 mod weights;
 
 pub(crate) use bezier::span_to_bezier;
+pub use combination::combined_curves;
 pub use compatible::compatible_curves;
 pub use construction::{DeBoor, DeBoorStep, bezier_to_hermite, de_casteljau, hermite_to_bezier};
 pub use curve::NurbsCurve;

@@ -18,6 +18,8 @@ pub(super) const PERIODIC_KNOTS: f64 = 1e-10;
 pub(super) const PERIODIC_POINTS: f64 = 1e-12;
 /// Weights that differ by no more than this part are equal.
 pub(super) const EQUAL_WEIGHTS: f64 = 1e-15;
+/// Weights of two curves that differ by no more than this part are one but for the rounding of knots put in.
+pub(super) const SAME_WEIGHTS: f64 = 1e-12;
 /// Rounding of a reduced degree as a part of the size of the control points.
 pub(super) const REDUCTION_ROUNDING: f64 = 1e-13;
 /// Knots that differ by no more than this part of their size are one.
