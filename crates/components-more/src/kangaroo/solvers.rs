@@ -64,7 +64,7 @@ fn settle(
     }
     let rest = threshold(rest)?;
     let hand = Hand::take(context, name, system);
-    let (is_held, most) = (hand.is_held(), hand.most_steps(system));
+    let (is_held, most) = (hand.is_held(), hand.most_steps(system, 1));
     let ran = system.run(context, motion, rest, most);
     hand.keep(context, system);
     if !ran? && !is_held {
