@@ -63,8 +63,28 @@ fn objects_are_baked_with_what_they_are_given() {
     assert_eq!(attributes.name, "door");
     assert_eq!(attributes.colour, Some([255, 0, 0, 255]));
     assert_eq!(attributes.layer.map(|layer| model.layers[layer].name.as_str()), Some("Doors"));
-    for pair in [("Number", "12"), ("BakeName", "doors")] {
-        let pair = (pair.0.to_owned(), pair.1.to_owned());
-        assert!(attributes.user_strings.contains(&pair), "{:?}", attributes.user_strings);
+    // These and no others: where a piece comes from is told of what is only shown.
+    let texts: Vec<(&str, &str)> =
+        attributes.user_strings.iter().map(|(key, text)| (key.as_str(), text.as_str())).collect();
+    assert_eq!(texts, [("Number", "12"), ("BakeName", "doors")]);
+}
+
+/// A circle that is baked without attributes, by either plug-in's component.
+#[test]
+fn what_is_baked_without_attributes_has_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let (definition, out) = (folder.path().join("a.kd"), folder.path().join("a.3dm"));
+    for baker in ["Bake Objects(door, _, _, told)", "Bake Geometry(told, door)"] {
+        let source = format!(
+            "katydid 1\ndoor = Circle(Construct Point(0, 0, 0), 2)\ntold = Boolean Toggle(true)\nbaked = {baker}\n"
+        );
+        fs::write(&definition, source).unwrap();
+        let ran = katydid(&["run", text(&definition), "-o", text(&out)]);
+        assert_eq!(ran.status.code(), Some(0), "{}", said(&ran));
+        let model = Model::read(&fs::read(&out).unwrap(), &Default::default()).unwrap();
+        assert_eq!(model.objects.len(), 1, "{}", said(&ran));
+        let attributes = &model.objects[0].attributes;
+        assert!(attributes.name.is_empty() && attributes.user_strings.is_empty(), "{attributes:?}");
+        assert_eq!(attributes.layer.map(|layer| model.layers[layer].name.as_str()), Some("Default"));
     }
 }

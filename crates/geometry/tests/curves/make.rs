@@ -6,7 +6,7 @@ use crate::common::{self, close, close_points};
 use katydid_geometry::{
     Arc, Circle, ContinuityTolerance, Curve, Ellipse, ExtensionStyle, Interval, Line, NurbsCurve,
     OffsetCorner, Plane, Point3, PolyCurve, PolylineCurve, PolylineLimits, Tolerance, TweenMatch, Vector3,
-    compatible_curves, intersect::curve_self,
+    combined_curves, compatible_curves, intersect::curve_self,
 };
 use proptest::prelude::*;
 
@@ -414,6 +414,41 @@ fn tweens_lie_between() {
     assert!(compatible_curves(&[]).is_err());
     assert!(a.tween(&b, f64::NAN, TweenMatch::ControlPoints).is_err());
     assert!(a.tween(&b, 0.5, TweenMatch::Lengths(1)).is_err());
+}
+
+/// Equal weights add up exactly; others within the tolerance, without kinks at common knots or at the seam.
+#[test]
+fn combined_curves_are_means_at_equal_parameters() {
+    let unit = |c: Curve| c.to_nurbs().unwrap().with_domain(Interval::UNIT).unwrap();
+    let round = unit(circle(2.0));
+    let moved =
+        round.transformed(&katydid_geometry::Xform::translation(Vector3::new(1.0, 5.0, -3.0))).unwrap();
+    let half = Curve::from(combined_curves(&[(round.clone(), 0.25), (moved, 0.75)], 1e-3).unwrap());
+    let found = half.as_circle(1e-12).unwrap();
+    close(found.radius, 2.0, 1e-12, "radius");
+    close_points(found.center(), p(0.75, 3.75, -2.25), 1e-12, "centre");
+    let corners = [p(3., 0., 0.), p(0., 3., 1.), p(-3., 1., 0.), p(-2., -2., 0.), p(1., -3., 2.)];
+    let wavy = NurbsCurve::periodic_uniform(3, &corners).unwrap().with_domain(Interval::UNIT).unwrap();
+    for share in [0.5, 0.2, 1.5] {
+        let parts = [(round.clone(), 1.0 - share), (wavy.clone(), share)];
+        let mixed = combined_curves(&parts, 1e-3).unwrap();
+        for i in 0..=500 {
+            let t = f64::from(i) / 500.0;
+            close_points(
+                mixed.point_at(t),
+                round.point_at(t).lerp(wavy.point_at(t), share),
+                1e-3,
+                "the mean",
+            );
+        }
+        let slope = |t: f64, below: bool| mixed.derivatives(t, 1, below).1[0];
+        for t in mixed.span_parameters() {
+            let (left, right) = (if t > 0.0 { t } else { 1.0 }, if t < 1.0 { t } else { 0.0 });
+            let kink = slope(left, true).angle_to(slope(right, false)).unwrap();
+            close(kink, 0.0, 1e-7, "a kink");
+        }
+    }
+    assert!(combined_curves(&[], 1e-3).is_err());
 }
 
 #[test]

@@ -45,7 +45,8 @@ pub struct Baked {
 /// Each object of the definition has a layer of its name, but model objects have what is said of them: name, layer,
 /// colour, groups, state and user text; blocks, layers and linetypes go into the tables. What comes out of a Custom Preview has the colour of its
 /// material, members of a group of geometry are a group, and user text tells where each piece comes from: `Object`
-/// is the id of the object, `Path` and `Index` its place in the data. Meshes that openNURBS would call invalid are made
+/// is the id of the object, `Path` and `Index` its place in the data. What components bake has only what its attributes say, and
+/// lies on the layer `Default` where they name none. Meshes that openNURBS would call invalid are made
 /// valid, or left out where nothing of them is left.
 pub fn bake(engine: &Engine, options: BakeOptions) -> Baked {
     let document = engine.document();
@@ -80,7 +81,7 @@ pub fn bake(engine: &Engine, options: BakeOptions) -> Baked {
     }
     let mut baked = baking.baked;
     if baked.model.layers.is_empty() {
-        baked.model.layer_at("Default");
+        baked.model.layer_at(DEFAULT_LAYER);
     }
     valid::make_valid(&mut baked);
     if options.blocks {
@@ -124,6 +125,38 @@ struct Source<'a> {
     object: &'a Object,
     path: &'a Path,
     index: usize,
+    /// Whether a component bakes it, which alone says what its attributes are.
+    is_baked: bool,
+}
+
+/// The layer that Rhino's new models have, on which objects are put that name none.
+const DEFAULT_LAYER: &str = "Default";
+
+impl Source<'_> {
+    /// Puts what tells where a piece comes from into what its attributes leave open.
+    fn complete(&self, attributes: &mut Attributes, model: &mut Model) {
+        let title = self.object.title();
+        if attributes.layer.is_none() {
+            // Colons between names would make a layer inside another.
+            let layer = if self.is_baked { DEFAULT_LAYER.to_owned() } else { title.replace("::", ":") };
+            attributes.layer = Some(model.layer_at(&layer));
+        }
+        if self.is_baked {
+            return;
+        }
+        if attributes.name.is_empty() {
+            title.clone_into(&mut attributes.name);
+        }
+        for (key, text) in [
+            ("Object", self.object.id.to_string()),
+            ("Path", self.path.to_string()),
+            ("Index", self.index.to_string()),
+        ] {
+            if attributes.user_strings.iter().all(|(known, _)| known != key) {
+                attributes.user_strings.push((key.to_owned(), text));
+            }
+        }
+    }
 }
 
 /// A model being filled.
@@ -147,7 +180,7 @@ impl Baking<'_> {
                     return;
                 }
                 if let Some(value) = tree.column().get(place) {
-                    self.add(&value, None, &Source { object, path, index });
+                    self.add(&value, None, &Source { object, path, index, is_baked: false });
                 }
             }
         }
@@ -160,7 +193,7 @@ impl Baking<'_> {
             if CancellationToken::is_over() {
                 return;
             }
-            self.add(value, None, &Source { object, path: &path, index });
+            self.add(value, None, &Source { object, path: &path, index, is_baked: true });
         }
     }
 
@@ -178,7 +211,7 @@ impl Baking<'_> {
                 let value = repeated(geometry, index).and_then(|place| things.get(place));
                 let colour = repeated(materials, index).and_then(|place| material(colours, place));
                 if let Some(value) = value {
-                    self.add(&value, colour, &Source { object, path, index });
+                    self.add(&value, colour, &Source { object, path, index, is_baked: false });
                 }
             }
         }
@@ -210,23 +243,8 @@ impl Baking<'_> {
         // New attributes stand on the first layer.
         let mut attributes = own.unwrap_or_else(|| Attributes { layer: None, ..Attributes::default() });
         // What an object has of its own goes before where it comes from.
-        if attributes.layer.is_none() {
-            // Colons between names would make a layer inside another.
-            attributes.layer = Some(model.layer_at(&title.replace("::", ":")));
-        }
-        if attributes.name.is_empty() {
-            title.clone_into(&mut attributes.name);
-        }
+        source.complete(&mut attributes, model);
         attributes.colour = colour.map(|c| [c.r, c.g, c.b, 255]).or(attributes.colour);
-        for (key, text) in [
-            ("Object", source.object.id.to_string()),
-            ("Path", source.path.to_string()),
-            ("Index", source.index.to_string()),
-        ] {
-            if attributes.user_strings.iter().all(|(known, _)| known != key) {
-                attributes.user_strings.push((key.to_owned(), text));
-            }
-        }
         if matches!(value, Value::Group(_)) {
             attributes.groups.push(model.groups.len());
             model.groups.push(Group::new(format!("{title} {} {}", source.path, source.index)));
