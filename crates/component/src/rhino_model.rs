@@ -4,7 +4,9 @@ use std::collections::HashMap;
 use std::sync::Arc as Shared;
 
 use katydid_3dm::{Attributes, BrepSummary, Limits, Model, ObjectMode, RawObject};
-use katydid_data::{BlockDefinition, ModelLayer, ModelLinetype, ModelObject, Value, Visibility};
+use katydid_data::{
+    BlockDefinition, ModelLayer, ModelLinetype, ModelMaterial, ModelObject, Value, Visibility,
+};
 use katydid_geometry::{Tolerance, Units};
 use uuid::Uuid;
 
@@ -25,6 +27,7 @@ pub struct RhinoModel {
     marks: HashMap<Mark, usize>,
     layers: Vec<Shared<ModelLayer>>,
     linetypes: Vec<Shared<ModelLinetype>>,
+    materials: Vec<Shared<ModelMaterial>>,
     blocks: Vec<Shared<BlockDefinition>>,
 }
 
@@ -100,9 +103,9 @@ impl RhinoModel {
         let mark = |object: &RhinoObject| object.geometry.as_ref().and_then(Mark::of);
         let backwards = objects.iter().enumerate().rev();
         let marks = backwards.filter_map(|(place, object)| Some((mark(object)?, place))).collect();
-        let Tables { layers, linetypes, .. } = tables;
+        let Tables { layers, linetypes, materials, .. } = tables;
         let (units, tolerance) = (model.units, model.tolerance);
-        Self { units, tolerance, objects, places, marks, layers, linetypes, blocks }
+        Self { units, tolerance, objects, places, marks, layers, linetypes, materials, blocks }
     }
 
     /// The bytes of an archive as such a model.
@@ -133,6 +136,11 @@ impl RhinoModel {
     pub fn linetype(&self, name: &str) -> Option<&Shared<ModelLinetype>> {
         let name = name.to_lowercase();
         self.linetypes.iter().find(|linetype| linetype.name.to_lowercase() == name)
+    }
+
+    /// The materials in the order of the table.
+    pub fn materials(&self) -> &[Shared<ModelMaterial>] {
+        &self.materials
     }
 
     /// The blocks in the order of the table.

@@ -36,7 +36,9 @@ pub fn plugin_of_tab(tab: &str) -> Option<&'static Plugin> {
 /// The plug-in that a library of a file belongs to.
 pub fn plugin_of_library(library: &str) -> Option<&'static Plugin> {
     let library = plain(library);
-    plugins().filter(|plugin| library.starts_with(plugin.library)).max_by_key(|plugin| plugin.library.len())
+    let known = plugins().filter(|plugin| library.starts_with(plugin.library));
+    // Of tabs with components of one library the one that is called as the library.
+    known.max_by_key(|plugin| (plugin.library.len(), plain(plugin.name) == plugin.library))
 }
 
 /// A name in small letters and digits only: versions of plug-ins differ in spaces and capitals.
@@ -108,7 +110,9 @@ pub fn stand_in(
     let wanted = plain(name);
     // Weaverbird's components are called "Weaverbird's …" in files.
     let short = wanted.strip_prefix(&format!("{}s", plugin.library)).unwrap_or(&wanted);
-    let found = registry::all().into_iter().filter(|c| c.tab == plugin.name).filter(|c| {
+    // A library may have had components that went on as a plug-in of their own: they stand in the tab of that one.
+    let tabs: Vec<&str> = plugins().filter(|p| p.library == plugin.library).map(|p| p.name).collect();
+    let found = registry::all().into_iter().filter(|c| tabs.contains(&c.tab)).filter(|c| {
         let own = plain(c.name);
         own == wanted || own == short || plain(c.nick) == wanted
     });

@@ -12,8 +12,10 @@
 )]
 
 mod anemone;
+mod annotations;
 mod bison;
 mod bitmap_plus;
+mod blocks;
 mod branches;
 mod color_plus;
 mod dendro;
@@ -76,6 +78,8 @@ plugins! {
     "Pufferfish" by "Michael Pryor" as "pufferfish";
     "Telepathy" by "Andrew Heumann" as "telepathy";
     "TreeFrog" by "Andrew Heumann" as "treefrog";
+    // Earlier versions of Human have the same components.
+    "TreeFrog" by "Andrew Heumann" as "human";
     "TreeSloth" by "David Stasiuk" as "treesloth";
     "VoxelTools" by "Arend van Waart" as "voxeltools";
     "Weaverbird" by "Giulio Piacentino" as "weaverbird";

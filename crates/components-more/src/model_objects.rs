@@ -5,6 +5,8 @@ use std::sync::Arc as Shared;
 use katydid_component::{Access, Context, Matching, Ranges};
 use katydid_data::{Content, ModelLayer, ModelMaterial, ModelObject, Tree, Value};
 
+use crate::wildcard::takes;
+
 /// The object that an item is, or is the geometry of.
 pub(crate) fn object_of(context: &Context<'_>, value: &Value) -> Option<ModelObject> {
     let known = context.model().and_then(|model| model.object_of(value)).map(|object| &object.content);
@@ -67,6 +69,46 @@ pub(crate) fn pairs(geometry: &Tree, attributes: &Tree) -> Vec<ModelObject> {
     objects
 }
 
+/// What an object is, in the words that filters by type take.
+pub(crate) fn type_name(value: &Value) -> &'static str {
+    match value {
+        Value::Point(_) => "Point",
+        Value::Line(_) | Value::Circle(_) | Value::Arc(_) | Value::Rectangle(_) | Value::Curve(_) => "Curve",
+        Value::Surface(_) => "Surface",
+        Value::Brep(_) | Value::Box(_) | Value::TwistedBox(_) => "Brep",
+        Value::Mesh(_) => "Mesh",
+        Value::Kept(raw) => class_word(&raw.class_name()),
+        Value::Content(content) => match &**content {
+            Content::Object(object) => object.geometry.as_ref().map_or("Other", type_name),
+            Content::Instance(_) => "Block",
+            _ => "Other",
+        },
+        _ => "Other",
+    }
+}
+
+/// The word for a class of an archive.
+fn class_word(class: &str) -> &'static str {
+    match class {
+        "PointCloud" => "PointCloud",
+        "Brep" => "Brep",
+        "Mesh" => "Mesh",
+        "Extrusion" => "Extrusion",
+        "SubD" => "SubD",
+        "Hatch" => "Hatch",
+        "Light" => "Light",
+        "Text" => "Text",
+        "Leader" => "Leader",
+        "TextDot" | "AnnotationTextDot" => "TextDot",
+        "InstanceReference" => "Block",
+        "ClippingPlaneSurface" => "ClippingPlane",
+        class if class.ends_with("Dimension") || class == "Centermark" => "Dimension",
+        class if class.ends_with("Curve") => "Curve",
+        class if class.ends_with("Surface") => "Surface",
+        _ => "Other",
+    }
+}
+
 /// The layer that an item names, by its path, or is.
 pub(crate) fn layer_of(value: Option<&Value>) -> Option<Shared<ModelLayer>> {
     match value? {
@@ -98,4 +140,17 @@ pub(crate) fn first(tree: &Tree) -> Option<Value> {
 /// Whether the first item of a tree is true.
 pub(crate) fn is_true(tree: Option<&Tree>) -> bool {
     matches!(tree.and_then(first), Some(Value::Boolean(true)))
+}
+
+/// Whether an item is of a type that a filter names: as [`type_name`] has it, or as Rhino's list of object types does.
+pub(crate) fn is_of_type(value: &Value, wanted: &str) -> bool {
+    let other: &[&str] = match type_name(value) {
+        "Block" => &["InstanceReference", "BlockInstance"],
+        "Text" | "Leader" | "Dimension" => &["Annotation"],
+        "PointCloud" => &["PointSet"],
+        "Brep" => &["Polysurface"],
+        _ => &[],
+    };
+    let wanted = wanted.trim();
+    takes(wanted, type_name(value)) || other.iter().any(|name| takes(wanted, name))
 }

@@ -1,6 +1,5 @@
 //! Collects what objects show.
 
-use katydid_component::registry;
 use katydid_data::cast::Rules;
 use katydid_data::{Kind, Tree};
 use katydid_definition::document::{Object, ids};
@@ -59,10 +58,9 @@ impl<'a> Painter<'a> {
         if object.component != ids::PANEL {
             self.outputs(object, outputs, most);
         }
-        if let Some(draw) = display::of(object) {
+        if let Some((component, draw)) = display::of(object) {
             let trees = inputs();
-            let ports = registry::by_guid(object.component).map_or(&[][..], |component| component.inputs);
-            let access: Vec<_> = ports.iter().map(|port| port.access).collect();
+            let access: Vec<_> = component.inputs.iter().map(|port| port.access).collect();
             rows::for_each(&trees, &access, |row| {
                 if self.scene.things.len() >= most {
                     return self.stop(object);

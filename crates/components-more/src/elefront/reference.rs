@@ -6,16 +6,20 @@ use katydid_component::{Context, List, Message, RhinoModel, component};
 use katydid_data::{Colour, Content, ModelObject, Value};
 
 use super::bake::BAKE_NAME;
+use super::filter::{has, pairs};
 use crate::model_objects::object_of;
 use crate::wildcard::takes;
 
-fn model<'a>(context: &Context<'a>) -> Result<&'a RhinoModel, Message> {
+pub(crate) fn model<'a>(context: &Context<'a>) -> Result<&'a RhinoModel, Message> {
     let why = "Needs the Rhino model: none is given (katydid run FILE --model MODEL.3dm)";
     context.model().ok_or_else(|| Message::warning(why))
 }
 
 /// The objects that pass, in the order of the model.
-fn objects(context: &Context<'_>, passes: impl Fn(&ModelObject) -> bool) -> Result<Vec<Value>, Message> {
+pub(crate) fn objects(
+    context: &Context<'_>,
+    passes: impl Fn(&ModelObject) -> bool,
+) -> Result<Vec<Value>, Message> {
     let mut found = Vec::new();
     for object in model(context)?.objects() {
         context.check()?;
@@ -31,7 +35,7 @@ fn objects(context: &Context<'_>, passes: impl Fn(&ModelObject) -> bool) -> Resu
     Ok(found)
 }
 
-fn any(patterns: &List<Arc<str>>, text: &str) -> bool {
+pub(super) fn any(patterns: &List<Arc<str>>, text: &str) -> bool {
     patterns.iter().flatten().any(|pattern| takes(&pattern, text))
 }
 
@@ -108,16 +112,8 @@ fn reference_by_key_and_value(
     #[port("Value", "V")]
     values: List<Arc<str>>,
 ) -> Result<Vec<Value>, Message> {
-    if keys.len() != values.len() {
-        return Err(Message::error(format!("There are {} keys and {} values", keys.len(), values.len())));
-    }
-    let pairs: Vec<(Arc<str>, Arc<str>)> =
-        keys.iter().zip(values.iter()).filter_map(|(key, value)| Some((key?, value?))).collect();
-    objects(context, |object| {
-        let has =
-            |(key, value): &(Arc<str>, Arc<str>)| object.text_of(key).is_some_and(|text| takes(value, text));
-        !pairs.is_empty() && pairs.iter().all(has)
-    })
+    let pairs = pairs(&keys, &values)?;
+    objects(context, |object| has(object, &pairs))
 }
 
 /// The objects of the Rhino model that were baked under some names. `*` stands for any text, `?` for one character; capitals do not

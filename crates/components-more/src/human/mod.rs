@@ -4,5 +4,11 @@
 
 mod attributes;
 mod bake;
+mod blocks;
 mod display;
+mod drawing;
 mod expand;
+mod lists;
+mod screen;
+mod tables;
+mod units;

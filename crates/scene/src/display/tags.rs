@@ -17,7 +17,48 @@ pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("3b220754-4114-4170-b6c3-b286b86ed524"), text_tag),
     (uuid!("5a41528b-12b9-40dc-a3f2-842034d267c4"), text_tag_3d),
     (uuid!("f6867cdd-2216-4451-9134-7da94bdcd5af"), legend),
+    // Human's texts.
+    (uuid!("6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd344"), screen_text),
+    (uuid!("6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd345"), facing_text),
+    (uuid!("6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd346"), justified_text),
 ];
+
+/// The height of a text that faces the viewer and is given a factor only, in pixels.
+const FACING: f64 = 12.0;
+
+/// A text that faces the viewer, of a height in pixels.
+fn facing(painter: &mut Painter<'_>, row: &Row<'_>, [text, at, colour]: [usize; 3], size: f64) {
+    let (Some(text), Some(at)) = (row.item::<Shared<str>>(text), row.item::<Point3>(at)) else { return };
+    let line = row.item::<Colour>(colour).unwrap_or(painter.look.line);
+    if size > 0.0 {
+        let size = size.clamp(4.0, 200.0);
+        let tag = Form::Tag { at, text: text.to_string(), size, place: Place::On };
+        painter.scene.add(tag, Look { line, ..painter.look });
+    }
+}
+
+fn screen_text(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    let size = row.item::<f64>(2).unwrap_or(20.0);
+    facing(painter, row, [0, 1, 3], size);
+}
+
+fn facing_text(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    let size = FACING * row.item::<f64>(4).unwrap_or(1.0);
+    facing(painter, row, [0, 3, 5], size);
+}
+
+fn justified_text(painter: &mut Painter<'_>, _: &Object, row: &Row<'_>) {
+    let (Some(plane), Some(text)) = (row.item::<Plane>(0), row.item::<Shared<str>>(1)) else { return };
+    let line = row.item::<Colour>(3).unwrap_or(painter.look.line);
+    let size = row.item::<f64>(2).unwrap_or(1.0);
+    let [across, up] = [4, 5].map(|k| row.item::<i32>(k).unwrap_or(0).clamp(0, 2));
+    // Writings are counted from the top left on, row by row.
+    let justification = 3 * (2 - up) + across + 1;
+    let writing = Form::Writing { plane, text: text.to_string(), size, justification };
+    if size.is_finite() && size > 0.0 {
+        painter.scene.add(writing, Look { line, ..painter.look });
+    }
+}
 
 fn text_tag(painter: &mut Painter<'_>, object: &Object, row: &Row<'_>) {
     let (Some(at), Some(text)) = (row.item::<Point3>(0), row.item::<Shared<str>>(1)) else { return };

@@ -1,6 +1,9 @@
 //! Heteroptera: small tools for numbers and lists. Names, ports and ids are those of public lists, which also tell what each does;
 //! only a few of its components are here.
 
+mod numbers;
+mod trees;
+
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Path, Tree, Value};
 use katydid_geometry::{Interval, Vector3};

@@ -1,0 +1,240 @@
+//! What is written and drawn over the view. There is no screen of Rhino here: all of it is drawn in the model, at its location.
+
+use std::sync::Arc as Shared;
+
+use katydid_component::{Context, Message, component};
+use katydid_data::{Colour, Value};
+use katydid_geometry::{Curve, Mesh, Plane, Point3};
+
+/// What is drawn in where nothing is given; the plug-in's own colour is not known.
+const BLACK: Colour = Colour::rgb(0, 0, 0);
+
+/// Draws a curve, made larger about the origin and moved to a location. Stands for Human's Render Curve to Screen, which draws at a
+/// place of the screen: here the location is one in the model.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd341",
+    name = "Render Curve to Screen",
+    nick = "CrvToScreen",
+    at = "Human/Display"
+)]
+fn curve_to_screen(
+    /// What to draw, near the world's origin.
+    #[port("Curve", "Crv")]
+    _thing: Shared<Curve>,
+    /// Where it is drawn.
+    #[port("Location", "L", default = Point3::ORIGIN)]
+    _location: Point3,
+    /// What its size is multiplied by.
+    #[port("Scale Factor", "S", default = 1.0)]
+    _scale: f64,
+    /// The colour.
+    #[port("Color", "C", default = BLACK)]
+    _colour: Colour,
+    /// The width of the line, in pixels.
+    #[port("Thickness", "T", default = 1)]
+    _size: i32,
+    /// How far in front it is; not supported.
+    #[port("Depth", "D", default = 0.5)]
+    _depth: f64,
+    /// Whether it keeps its direction on the screen; not supported.
+    #[port("Fixed", "F", default = true)]
+    _fixed: bool,
+) {
+}
+
+/// Draws a point, moved to a location. Stands for Human's Render Point to Screen, which draws at a place of the screen: here the
+/// location is one in the model.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd342",
+    name = "Render Point to Screen",
+    nick = "PtToScreen",
+    at = "Human/Display"
+)]
+fn point_to_screen(
+    /// What to draw, near the world's origin.
+    #[port("Point", "P")]
+    _thing: Point3,
+    /// Where it is drawn.
+    #[port("Location", "L", default = Point3::ORIGIN)]
+    _location: Point3,
+    /// What its size is multiplied by.
+    #[port("Scale Factor", "S", default = 1.0)]
+    _scale: f64,
+    /// The colour.
+    #[port("Color", "C", default = BLACK)]
+    _colour: Colour,
+    /// The size on the screen; not supported.
+    #[port("Radius", "R", default = 1)]
+    _size: i32,
+    /// How far in front it is; not supported.
+    #[port("Depth", "D", default = 0.5)]
+    _depth: f64,
+    /// Whether it keeps its direction on the screen; not supported.
+    #[port("Fixed", "F", default = true)]
+    _fixed: bool,
+) {
+}
+
+/// Draws a mesh, made larger about the origin and moved to a location. Stands for Human's Render Mesh to Screen, which draws at a place
+/// of the screen: here the location is one in the model.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd343",
+    name = "Render Mesh to Screen",
+    nick = "MeshToScreen",
+    at = "Human/Display"
+)]
+fn mesh_to_screen(
+    /// What to draw, near the world's origin.
+    #[port("Mesh", "M")]
+    _mesh: &Mesh,
+    /// Where it is drawn.
+    #[port("Location", "L", default = Point3::ORIGIN)]
+    _location: Point3,
+    /// What its size is multiplied by.
+    #[port("Scale Factor", "S", default = 1.0)]
+    _scale: f64,
+    /// The colour, where the mesh has none of its own.
+    #[port("Color", "C", default = Colour::rgb(150, 150, 150))]
+    _colour: Colour,
+    /// How far in front it is; not supported.
+    #[port("Depth", "D", default = 0.5)]
+    _depth: f64,
+    /// Whether it keeps its direction on the screen; not supported.
+    #[port("Fixed", "F", default = true)]
+    _fixed: bool,
+) {
+}
+
+/// Writes a text that faces the viewer. Stands for Human's Render Text to Screen, which writes at a place of the screen: here the
+/// location is one in the model. Fonts are not supported.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd344",
+    name = "Render Text to Screen",
+    nick = "TextToScreen",
+    at = "Human/Display"
+)]
+fn text_to_screen(
+    /// The text.
+    #[port("Text", "T")]
+    _text: Shared<str>,
+    /// Where it is written.
+    #[port("Location", "L", default = Point3::ORIGIN)]
+    _location: Point3,
+    /// The height in pixels.
+    #[port("Size", "S", default = 20.0)]
+    _size: f64,
+    /// The colour.
+    #[port("Color", "C", default = BLACK)]
+    _colour: Colour,
+    /// Not supported.
+    #[port("Font", "F", optional)]
+    _font: Option<Shared<str>>,
+) {
+}
+
+/// Writes a text that faces the viewer, 12 pixels high times a factor, which is our reading. Stands for Human's Screen-Oriented Text;
+/// fonts, justification, depth and sizes in the model are not supported.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd345",
+    name = "Screen-Oriented Text",
+    nick = "ScreenText",
+    at = "Human/Display"
+)]
+fn screen_oriented_text(
+    /// The text.
+    #[port("Text", "T")]
+    _text: Shared<str>,
+    /// Not supported.
+    #[port("Font", "F", optional)]
+    _font: Option<Shared<str>>,
+    /// Not supported.
+    #[port("Justification", "J", optional)]
+    _justification: Option<i32>,
+    /// Where it is written.
+    #[port("Location", "L", default = Point3::ORIGIN)]
+    _location: Point3,
+    /// What the height is multiplied by.
+    #[port("Size Factor", "S", default = 1.0)]
+    _size: f64,
+    /// The colour.
+    #[port("Color", "C", default = BLACK)]
+    _colour: Colour,
+    /// How far in front it is; not supported.
+    #[port("Depth", "D", optional)]
+    _depth: Option<f64>,
+    /// Whether the size is one in the model; not supported.
+    #[port("Absolute", "A", default = false)]
+    _absolute: bool,
+) {
+}
+
+/// Writes a text on a plane. Stands for Human's JustifiedText3d; fonts and meshes are not supported, and texts are not baked.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd346",
+    name = "JustifiedText3d",
+    nick = "Justified Text",
+    at = "Human/Creation"
+)]
+fn justified_text(
+    context: &Context<'_>,
+    /// The plane: along its x axis, letters upright along y.
+    #[port("Location", "L")]
+    _location: Plane,
+    /// The text.
+    #[port("Text", "T")]
+    _text: Shared<str>,
+    /// The height of a letter in units of the model.
+    #[port("Size", "S", default = 1.0)]
+    _size: f64,
+    /// The colour.
+    #[port("Color", "C", default = BLACK)]
+    _colour: Colour,
+    /// 0 begins at the plane's origin, 1 has its middle there, 2 its end.
+    #[port("Horizontal Alignment", "A", default = 0)]
+    _across: i32,
+    /// 0 stands on the plane's origin, 1 has its middle there, 2 hangs from it.
+    #[port("Vertical Alginment", "VA", default = 0)]
+    _up: i32,
+    /// Not supported.
+    #[port("Font", "F", optional)]
+    _font: Option<Shared<str>>,
+    /// Not supported.
+    #[port("Use Meshes", "M", default = false)]
+    _meshes: bool,
+    /// Not used: texts are not baked.
+    #[port("Attributes", "att", optional)]
+    _attributes: Option<Value>,
+    /// Whether to bake, which is not supported.
+    #[port("Bake", "B", default = false)]
+    bake: bool,
+) {
+    if bake {
+        context.tell(Message::remark("The text is not baked: it is only shown"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use katydid_component::testing::Trial;
+    use katydid_geometry::Plane;
+
+    #[test]
+    fn what_is_drawn_gives_no_data() {
+        let names = ["Render Point to Screen", "Render Text to Screen", "Screen-Oriented Text"];
+        for name in names {
+            let out = Trial::of(name).item("{1, 2, 3}").run();
+            assert!(out.outputs.is_empty() && out.messages.is_empty(), "{name}");
+        }
+    }
+
+    #[test]
+    fn texts_are_not_baked() {
+        let text = |bake: bool| {
+            let trial = Trial::of("JustifiedText3d").item(Plane::XY).item("door");
+            let trial = trial.default().default().default().default().default().default().default();
+            trial.item(bake).message()
+        };
+        assert_eq!(text(true), "The text is not baked: it is only shown");
+        assert_eq!(text(false), "");
+    }
+}
