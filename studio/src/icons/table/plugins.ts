@@ -29,20 +29,47 @@ const soft = of(s.subd);
 const solid = of(s.box);
 const rows = of([ink(rect(3, 4, 18, 16), line(3, 9, 21, 9), line(3, 14, 21, 14), line(9, 4, 9, 20))]);
 const globe = of([ink(circle(12, 12, 9), line(3, 12, 21, 12), line(12, 3, 12, 21)), faint("M12 3C6 8 6 16 12 21M12 3C18 8 18 16 12 21")]);
-const branched = of([ink(line(4, 12, 10, 12), line(10, 5, 10, 19), line(10, 5, 18, 5), line(10, 12, 18, 12), line(10, 19, 18, 19)), dot(4, 12, 19, 5, 19, 12, 19, 19)]);
+/** Paths and branches. */
+export const branched = of([ink(line(4, 12, 10, 12), line(10, 5, 10, 19), line(10, 5, 18, 5), line(10, 12, 18, 12), line(10, 19, 18, 19)), dot(4, 12, 19, 5, 19, 12, 19, 19)]);
 
 export const human: Tab = {
   Display: {
     "Custom Preview Lineweights": shown("CP"),
     "Custom Preview Materials": shown("CM"),
+    "Render Curve to Screen": shown("RC"),
+    "Render Mesh to Screen": shown("RM"),
+    "Render Point to Screen": shown("RP"),
+    "Render Text to Screen": shown("RT"),
+    "Screen-Oriented Text": shown("ST"),
   },
   Creation: {
     "Bake Geometry": solid("BG"),
     CreateAttributes: solid("CA"),
+    CreateHatch: panels("CH"),
+    "Define Block": solid("DB"),
+    JustifiedText3d: shown("JT"),
+  },
+  "Document Info": {
+    "Layer Table": rows("LT"),
+    "Material Table": rows("MT"),
+  },
+  Misc: {
+    Box2BoxXform: solid("BB"),
+    "Convert To Document Units": taut("DU"),
+    "Dispatch Multiple": branched("DM"),
+    "Filter By Item": rows("FI"),
+    PassSequentially: rows("PS"),
   },
   Reference: {
+    "Dynamic Geometry Pipeline": solid("DP"),
+    "Explode Blocks": solid("EB"),
+    "Explode Blocks Recursively": solid("ER"),
+    "Hatch Explode": panels("HE"),
     "Object Attributes": solid("OA"),
     "Read 3dm File": solid("R3"),
+    "Reinstate Tree": branched("RT"),
+    "Sort Objects By Type": branched("SO"),
+    "Text Object Info": shown("TI"),
   },
 };
 
@@ -241,13 +268,35 @@ export const treefrog: Tab = {
 };
 
 export const heteroptera: Tab = {
+  Fundamental: {
+    "Domain (Symmetric)": taut("DS"),
+    "Domain Expand": taut("DE"),
+    "Domain Expand (Symmetric)": taut("ES"),
+  },
+  Geometry: {
+    Center: points("Ce"),
+    "Evaluate Rectangle": panels("ER"),
+  },
   Maths: {
     "Closest Numbers": points("CN"),
     "Intersect Domains": taut("ID"),
     "Numbers On Grid": rows("NG"),
   },
+  Uncertainty: {
+    "Careless Range": taut("CR"),
+    Dice: points("Di"),
+    "Gaussian Random": wave("GR"),
+  },
   Utilities: {
+    "Allocate By Domain": branched("AD"),
     "Allocate By Index": branched("AI"),
+    "Allocate By Keys": branched("AK"),
+    "Allocate By Value": branched("AV"),
+    "Empty Structure": branched("ES"),
+    "Extend Path": branched("EP"),
+  },
+  Vectors: {
+    "Plane By Line": pulled("PL"),
   },
 };
 

@@ -2,7 +2,7 @@
 
 import { circle, dot, hotDot, line, poly, rect } from "../lines";
 import { faint, hot, ink, shade } from "../piece";
-import { of } from "./plugins";
+import { branched, of } from "./plugins";
 import type { Tab } from "./tab";
 
 const volume = of([faint(line(3, 9, 21, 9), line(3, 15, 21, 15), line(9, 3, 9, 21), line(15, 3, 15, 21)), ink(circle(12, 12, 7))]);
@@ -16,21 +16,59 @@ const tag = of([ink(poly(3, 12, 10, 5, 21, 5, 21, 19, 10, 19)), hotDot(8, 12)]);
 export const elefront: Tab = {
   "01 Reference": {
     "Reference by BakeName": found("RB"),
+    "Reference by Color": found("RC"),
     "Reference by Key": found("RK"),
     "Reference by Key and Value": found("RV"),
     "Reference by Layer": found("RL"),
     "Reference by Name": found("RN"),
+    "Reference by Type": found("RT"),
+    "Reference by User Atributes": found("RU"),
+  },
+  "02 Filter": {
+    "Filter By Color": found("FC"),
+    "Filter By Layer": found("FL"),
+    "Filter By Name": found("FN"),
+    "Filter By Type": found("FT"),
+    "Filter By User Attributes": found("FU"),
+    "Sort By Key": found("SK"),
   },
   "03 Attributes": {
     "Attach Attributes": tag("AA"),
+    "Create Attributed Geometry": tag("AG"),
+    "Deconstruct Attributes": tag("XK"),
+    "Define Color": tag("DC"),
+    "Define Layer": tag("DL"),
     "Define Object Attributes": tag("DA"),
     "Detach Attributes": tag("XA"),
+    "Get All Keys/Values": tag("KV"),
     "Get Rhino Attributes": tag("RA"),
     "Get User Attributes": tag("UA"),
     "Get User Value": tag("UV"),
   },
+  "04 Annotations": {
+    "Create Text Dot": tag("CT"),
+    "Deconstruct Text": tag("XT"),
+    "Define Text Dot": tag("TD"),
+    "Define Text Object": tag("TO"),
+  },
+  "05 Blocks": {
+    "Deconstruct Block": tag("XB"),
+    "Define Block": tag("DB"),
+    "Explode Block": tag("EB"),
+    "Insert Block": tag("IB"),
+  },
   "06 Bake": {
     "Bake Objects": tag("BO"),
+  },
+  "07 Trees": {
+    "Clean Parallel": branched("CP"),
+    "Create Tree": branched("CT"),
+    "Duplicate Data Match": branched("DD"),
+    "Get Matching Branches": branched("MB"),
+    "Graft Parallel": branched("GP"),
+    "Shift To Depth": branched("SD"),
+    ShiftMatch: branched("SM"),
+    "Shortest List Clean": branched("SL"),
   },
 };
 
