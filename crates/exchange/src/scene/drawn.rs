@@ -34,12 +34,17 @@ impl Styles {
         Self { heights: heights.collect(), fills: fills.collect() }
     }
 
+    /// The height of letters of a style. An annotation that names none has openNURBS's own style, whose letters are 1 high.
+    fn height(&self, style: Uuid) -> Option<f64> {
+        self.heights.get(&style).copied().or(style.is_nil().then_some(1.0))
+    }
+
     /// Text of version 6 and later. A style's own numbers count, not what the text changes of them.
     pub(super) fn text(&self, annotation: &Annotation) -> Told<Shape> {
         if annotation.kind != AnnotationKind::Text {
             return Err(DIMENSION.into());
         }
-        let height = self.heights.get(&annotation.style).copied().ok_or(NO_SIZE)?;
+        let height = self.height(annotation.style).ok_or(NO_SIZE)?;
         let text = annotation.plain_text();
         let content = &annotation.text;
         let lines = text.lines().count();
