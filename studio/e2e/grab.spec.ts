@@ -4,6 +4,7 @@ import type { Page } from "@playwright/test";
 import { openText } from "./open";
 import { expect, test } from "./test";
 
+// Objects stand close together, so that the canvas shows their texts.
 const ROPE = `katydid 1
 rope = Line((0, 0, 0), (8, 0, 0)) hidden
 points = Divide Curve(rope, 8) -> Points |hidden
@@ -14,9 +15,24 @@ weight = Load(points, (0, 0, -1))
 held = Anchor([(0, 0, 0), (8, 0, 0)]) hidden
 grab = Grab()
 solved = Solver([springs, weight, held, grab.Goal])
-middle = List Item(solved.Vertices, 4) hidden
+middle = List Item(solved.Vertices, 5) hidden
 place = Deconstruct(middle)
 height = Panel(place.Z)
+
+layout {
+rope: 0 0
+points: 170 0
+chain: 340 0
+links: 510 0
+springs: 0 130
+weight: 170 130
+held: 340 130
+grab: 510 130
+solved: 0 260
+middle: 170 260
+place: 340 260
+height: 510 260
+}
 `;
 
 async function height(page: Page): Promise<number> {

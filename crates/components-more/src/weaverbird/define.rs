@@ -3,6 +3,7 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Mesh, Plane, Point3, Vector3};
 
 use super::tessellation::{Fill, fill};
@@ -38,14 +39,17 @@ impl Base {
             return Err(Message::error(format!("The width is {width}: it must be above 0")));
         }
         let half = std::f64::consts::PI / f64::from(sides);
-        let radius = if outside { width } else { width / half.cos() };
+        let radius = if outside { width } else { width / half.cosine() };
         let middle = plane.origin;
         let rise = top.map_or(plane.z_axis * width, |top| top - middle);
         let height = rise.dot(plane.z_axis);
         if !(height.abs() > 0.0 && rise.length().is_finite()) {
             return Err(Message::error("The top lies in the plane of the base"));
         }
-        let at = |turns: f64| plane.at(radius * turns.cos(), radius * turns.sin(), 0.0);
+        let at = |turn: f64| {
+            let (sin, cos) = turn.sine_cosine();
+            plane.at(radius * cos, radius * sin, 0.0)
+        };
         let ring = |shift: f64| (0..sides).map(|k| at((2.0 * f64::from(k) + shift) * half)).collect();
         Ok(Self { corners: ring(0.0), between: ring(1.0), middle, rise, upwards: height > 0.0 })
     }

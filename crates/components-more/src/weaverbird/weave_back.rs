@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet, VecDeque};
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
+use katydid_elementary::Elementary;
 use katydid_geometry::{Line, Mesh, Plane, Point3, Vector3};
 
 use crate::polygons::Polygons;
@@ -95,7 +96,7 @@ impl Net {
         let y = normal.cross(x);
         let turn = |j: usize| {
             let to = self.towards(i, j);
-            to.dot(y).atan2(to.dot(x))
+            to.dot(y).arctangent_of(to.dot(x))
         };
         ring.sort_by(|&a, &b| turn(a).total_cmp(&turn(b)).then(a.cmp(&b)));
         ring
