@@ -3,11 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a failing assertion is how a test reports")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-use katydid_geometry::brep::CurvePart;
+use katydid_geometry::brep::{ClosestOnBrep, CurvePart};
 use katydid_geometry::{
-    Box3, Brep, Curve, Cylinder, Interval, KnotSpacing, MassProperties, NurbsCurve, Plane, Point3, Surface,
-    Tolerance, Vector3, Xform, construct,
+    Box3, Brep, Containment, Curve, Cylinder, Interval, KnotSpacing, MassProperties, NurbsCurve, Plane,
+    Point3, Surface, Tolerance, Vector3, Xform, construct,
 };
 
 /// How far what leaks is off.
@@ -199,4 +200,36 @@ fn an_edge_that_weaves_across_the_side_of_its_surface_is_not_followed() {
         let bounds = flat.bounding_box();
         assert!(bounds.min.x == bounds.max.x || bounds.min.y == bounds.max.y, "{bounds:?}");
     }
+}
+
+/// Rays that leave through the gap beside the lid cross no face.
+#[test]
+fn points_of_a_block_whose_lid_ends_beside_its_edge_are_inside() {
+    let gap = 0.05;
+    let mut parts = block().into_parts();
+    let lid =
+        parts.surfaces.iter().position(|s| s.as_ref().is_some_and(|s| s.bounding_box().unwrap().min.z > 3.9));
+    let face = parts.faces.iter().position(|f| f.surface == lid).unwrap();
+    let of_lid: Vec<usize> =
+        parts.loops.iter().filter(|l| l.face == Some(face)).flat_map(|l| l.trims.clone()).collect();
+    for trim in of_lid {
+        let curve = parts.trims[trim].part.curve.unwrap();
+        let flat = parts.curves_2d[curve].as_mut().unwrap();
+        *flat = flat.transformed(&Xform::translation(Vector3::X * gap)).unwrap();
+    }
+    parts.measure_tolerances();
+    let tolerances: Vec<f64> = parts.edges.iter().map(|e| e.tolerance).collect();
+    assert!(tolerances.iter().any(|t| (t - gap).abs() < 1e-9), "{tolerances:?}");
+    let brep = Brep::from_parts(parts).unwrap();
+    assert!(brep.is_solid());
+    let search = ClosestOnBrep::new(Arc::new(brep)).unwrap();
+    let mut count = 0;
+    for (i, j, k) in (0..12).flat_map(|i| (0..7).flat_map(move |j| (0..9).map(move |k| (i, j, k)))) {
+        let q = p(0.01 + 0.02 * f64::from(i), 0.4 + 0.37 * f64::from(j), 3.55 + 0.05 * f64::from(k));
+        assert_eq!(search.contains(q, 1e-6).unwrap(), Containment::Inside, "{q:?}");
+        let above = p(q.x, q.y, 4.001 + 0.05 * f64::from(k));
+        assert_eq!(search.contains(above, 1e-6).unwrap(), Containment::Outside, "{above:?}");
+        count += 1;
+    }
+    assert_eq!(count, 756);
 }

@@ -1,6 +1,6 @@
 //! Where points lie: on a face, in a solid, and what part of a brep is nearest to them.
 
-use crate::brep::thresholds::{AWAY_FROM_EDGES, NEAR_RAY, NEARLY_TOUCHES};
+use crate::brep::thresholds::{AWAY_FROM_EDGES, NEAR_RAY, NEARLY_TOUCHES, ROUGH_LENGTH};
 use crate::thresholds;
 use std::sync::{Arc as Shared, OnceLock};
 
@@ -304,7 +304,8 @@ impl ClosestOnBrep {
     /// Whether a point lies inside a solid, outside, or within the tolerance of its faces.
     ///
     /// By the parity of crossings with a ray that stays clear of edges and of tangency; of several rays the first such
-    /// one decides.
+    /// one decides. Where faces end beside their common edge, a ray keeps away from it by the edge's tolerance, as it may
+    /// slip out between them; when no ray can, most of the rays decide.
     ///
     /// # Errors
     /// The brep is not closed, the point not finite, or every ray tried comes too near to an edge.
@@ -322,12 +323,20 @@ impl ClosestOnBrep {
             return Ok(Containment::On);
         }
         let size = self.bounds.diagonal().length();
+        // For outside and for inside.
+        let mut votes = [0_usize; 2];
         for direction in RAYS {
             let way = Vector3::new(direction[0], direction[1], direction[2]);
-            let Some(way) = way.unitized() else { continue };
-            if let (count, true) = self.crossings(p, way * (2.0 * size), AWAY_FROM_EDGES * size)? {
-                return Ok(side(count));
+            let Some(way) = way.unitized().map(|way| way * (2.0 * size)) else { continue };
+            if let (count, true) = self.crossings(p, way, AWAY_FROM_EDGES * size)? {
+                if !self.passes_gap(p, way, AWAY_FROM_EDGES * size)? {
+                    return Ok(side(count));
+                }
+                votes[count % 2] += 1;
             }
+        }
+        if votes[0] != votes[1] {
+            return Ok(side(usize::from(votes[1] > votes[0])));
         }
         Err(Error::degenerate("point to test", "every ray from it comes too near to an edge"))
     }
@@ -381,6 +390,21 @@ impl ClosestOnBrep {
             }
         }
         Ok((count, true))
+    }
+
+    /// Whether a segment comes within the tolerance of an edge that is not tight: between what the faces end with.
+    fn passes_gap(&self, p: Point3, way: Vector3, tight: f64) -> Result<bool> {
+        let ray: Curve = Line::new(p, p + way).into();
+        for (edge, curve, bounds) in &self.edges {
+            let gap = self.brep.edges().get(*edge).map_or(0.0, |e| e.tolerance);
+            if gap > tight
+                && meets(&bounds.inflated(gap), p, way)
+                && intersect::nearest_on_curves(&ray, curve, ROUGH_LENGTH * gap)?.distance <= gap
+            {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     pub(super) fn near_loop(&self, sheet: &Sheet, p: Point3, clear: f64) -> Result<bool> {
