@@ -97,7 +97,30 @@ impl Slopes {
     }
 }
 
+impl Slopes {
+    /// Bounds on the lengths of the derivatives by u and v.
+    pub(crate) fn lengths(&self) -> [f64; 2] {
+        [0, 1].map(|k| self.parts.iter().map(|part| part.length(k)).fold(0.0, f64::max))
+    }
+}
+
 impl Part {
+    /// A bound on the length of a derivative.
+    fn length(&self, k: usize) -> f64 {
+        let largest = |lengths: &mut dyn Iterator<Item = f64>| lengths.fold(0.0, f64::max);
+        let length = |x: f64, y: f64, z: f64| (x * x + y * y + z * z).sqrt();
+        // Each component is off by the error, and a length by less than twice that and its own rounding.
+        let out = |length: f64, error: f64| (length + 2.0 * error) * (1.0 + DOT_ROUNDING);
+        let own = out(largest(&mut self.slopes[k].iter().map(|p| length(p[0], p[1], p[2]))), self.error[k]);
+        let Some(Weighted { room, error, weight }) = &self.weighted else { return own };
+        if !(weight.low > 0.0) {
+            return f64::INFINITY;
+        }
+        let place = out(largest(&mut room.iter().map(|p| length(p[0], p[1], p[2]))), *error);
+        let weight_slope = largest(&mut self.slopes[k].iter().map(|p| p[3].abs())) + self.error[k];
+        (own + place * weight_slope) / weight.low * (1.0 + DOT_ROUNDING)
+    }
+
     fn along(&self, k: usize, vector: Vector3, size: f64) -> Range {
         let row: [f64; 3] = vector.into();
         let dot = |p: &[f64]| row[0] * p[0] + row[1] * p[1] + row[2] * p[2];
@@ -250,6 +273,7 @@ mod tests {
                 };
                 let ranges = [part(du), part(dv)];
                 let slopes = chart.slopes_over(ranges);
+                let lengths = slopes.lengths();
                 let rows = [Vector3::X, Vector3::new(0.3, -0.8, 0.5), Vector3::new(-2.0, 1.0, 7.0)];
                 let bounds =
                     rows.map(|row| slopes.along([row; 2], [row.x.abs() + row.y.abs() + row.z.abs(); 2]));
@@ -258,6 +282,13 @@ mod tests {
                         let at = |r: [f64; 2], k: i32| r[0] + (r[1] - r[0]) * f64::from(k) / 10.0;
                         let jet = chart.jet([at(ranges[0], k), at(ranges[1], l)]);
                         for d in 0..2 {
+                            let length = jet[d + 1].length();
+                            assert!(lengths[d] >= length * (1.0 - 1e-13), "{i} {step} {k} {l}");
+                            assert!(
+                                width >= 0.1 || lengths[d] < 1.4 * length + 0.1,
+                                "{} {length}",
+                                lengths[d]
+                            );
                             for (bound, row) in bounds.iter().zip(rows) {
                                 let own = jet[d + 1].dot(row);
                                 let slack = 1e-13 * (1.0 + own.abs());

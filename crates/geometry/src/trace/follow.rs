@@ -228,10 +228,13 @@ fn attempted(pair: &Pair<'_>, from: &Place, sign: f64, length: f64, limits: &Lim
     let tangent = cubic.direction(0.5)?;
     let through = cubic.point(0.5);
     let true_x = pair.polished(middle, Condition::Slice { through, across: tangent })?;
+    // It may leave a domain between the places, and come back.
+    let reached = cubic.reached();
     let slack = |k: usize| BESIDE * pair.domain(k).length();
-    if (0..4)
-        .any(|k| true_x[k] < pair.domain(k).start - slack(k) || true_x[k] > pair.domain(k).end + slack(k))
-    {
+    let is_outside = |k: usize, low: f64, high: f64| {
+        low < pair.domain(k).start - slack(k) || high > pair.domain(k).end + slack(k)
+    };
+    if (0..4).any(|k| is_outside(k, true_x[k].min(reached[k][0]), true_x[k].max(reached[k][1]))) {
         return None;
     }
     let jets = pair.jets(true_x);
@@ -320,6 +323,31 @@ impl Cubic<'_> {
         let [a, b, c, d] = self.weights(t);
         std::array::from_fn(|k| {
             self.from.x[k] * a + self.to.x[k] * b + self.from.velocity[k] * c + self.to.velocity[k] * d
+        })
+    }
+
+    /// The range of each parameter along the cubic.
+    fn reached(&self) -> Box4 {
+        std::array::from_fn(|k| {
+            let ends = [self.from.x[k], self.to.x[k]];
+            let slopes = [self.from.velocity[k], self.to.velocity[k]].map(|v| v * self.length);
+            // The derivative is a + b t + c t².
+            let way = ends[1] - ends[0];
+            let (a, b, c) = (
+                slopes[0],
+                6.0 * way - 4.0 * slopes[0] - 2.0 * slopes[1],
+                3.0 * (slopes[0] + slopes[1]) - 6.0 * way,
+            );
+            let mut out = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
+            let q = -0.5 * (b + root.copysign(b));
+            for t in [q / c, a / q] {
+                if t > 0.0 && t < 1.0 {
+                    let x = self.parameters(t)[k];
+                    out = [out[0].min(x), out[1].max(x)];
+                }
+            }
+            out
         })
     }
 

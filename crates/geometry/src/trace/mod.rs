@@ -12,6 +12,7 @@ pub(crate) use proof::Box4;
 
 use crate::Vector3;
 use crate::chart::{Chart, thresholds};
+use crate::intersect::Carrier;
 
 /// The parameters on both surfaces: u and v on the first, then on the second.
 pub(crate) type Four = [f64; 4];
@@ -22,6 +23,9 @@ pub(crate) struct Pair<'a> {
     pub(crate) charts: [&'a Chart; 2],
     /// Distances below this are rounding.
     pub(crate) noise: f64,
+    /// Which of the surfaces is a part of a plane or another carrier, covered once, and the carrier: what they have in common is
+    /// a question of the other surface alone.
+    pub(crate) carrier: Option<(usize, Carrier)>,
 }
 
 /// A place of the common curve.
@@ -50,7 +54,7 @@ impl<'a> Pair<'a> {
             let bounds = c.nurbs().hull_box();
             bounds.min.to_vector().length().max(bounds.max.to_vector().length())
         });
-        Self { charts: [a, b], noise: thresholds::noise([a.size(), b.size()], far) }
+        Self { charts: [a, b], noise: thresholds::noise([a.size(), b.size()], far), carrier: None }
     }
 
     /// The smaller of the surfaces' sizes.
@@ -86,6 +90,24 @@ impl<'a> Pair<'a> {
             velocity: [a[0], a[1], b[0], b[1]],
             angle,
         })
+    }
+
+    /// The direction of the common curve at the middle of a box, if there is one: that of a carrier's contour where the other
+    /// surface is.
+    pub(crate) fn along(&self, b: Box4) -> Option<Vector3> {
+        let middle = b.map(|[low, high]| 0.5 * (low + high));
+        let normal = |s: usize| {
+            let [_, u, v] = self.charts[s].jet(on(middle, s));
+            u.cross(v).unitized()
+        };
+        match &self.carrier {
+            Some((s, carrier)) => {
+                let [point, u, v] = self.charts[1 - s].jet(on(middle, 1 - s));
+                let out = carrier.gradient(point.to_point()).unitized()?;
+                u.cross(v).unitized()?.cross(out).unitized()
+            }
+            None => normal(0)?.cross(normal(1)?).unitized(),
+        }
     }
 
     /// How far one parameter may lie beyond its domain and still count as on its side.

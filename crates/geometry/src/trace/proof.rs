@@ -7,10 +7,14 @@
 //! the box is a graph over d, without loops (the mean value form of interval Newton methods; A. Neumaier, *Interval
 //! Methods for Systems of Equations*, 5.1; for normals T. Sederberg and R. Meyers, *Loop detection in surface patch
 //! intersections*, 1988).
+//!
+//! Where one surface lies on a plane, sphere, cylinder, cone or torus, there are two parameters only.
 
+use super::Pair;
 use super::thresholds::ROOM;
-use super::{Four, Pair};
 use crate::Vector3;
+use crate::chart::Chart;
+use crate::intersect::Carrier;
 
 /// A box of the four parameters.
 pub(crate) type Box4 = [[f64; 2]; 4];
@@ -27,6 +31,16 @@ impl Pair<'_> {
 
     /// Whether each plane across `d` is proved to hold at most one common point of the box.
     pub(crate) fn is_graph(&self, b: Box4, d: Vector3) -> bool {
+        match &self.carrier {
+            Some((s, carrier)) => {
+                let own = 2 * (1 - s);
+                self.charts[1 - s].cuts_once([b[own], b[own + 1]], carrier, d)
+            }
+            None => self.meets_once(b, d),
+        }
+    }
+
+    fn meets_once(&self, b: Box4, d: Vector3) -> bool {
         let charts = self.charts;
         let jets = self.jets(b.map(|[low, high]| 0.5 * (low + high)));
         let columns = [jets[0][1], jets[0][2], -jets[1][1], -jets[1][2]];
@@ -51,22 +65,53 @@ impl Pair<'_> {
             let ranges = [first[0], first[1], second[0], second[1]];
             std::array::from_fn(|k| ranges[k].off(if i == k { 1.0 } else { 0.0 }))
         });
-        // Towards the vector that is shrunk most evenly; any positive one is a proof.
-        let mut z: Four = std::array::from_fn(|k| (b[k][1] - b[k][0]).max(f64::MIN_POSITIVE));
-        for _ in 0..6 {
-            let next: Four = std::array::from_fn(|i| (0..4).map(|j| shrink[i][j] * z[j]).sum());
-            if (0..4).all(|i| next[i] < 0.9 * z[i]) {
-                return true;
-            }
-            let size = next.iter().fold(0.0, |m: f64, x| m.max(*x));
-            if !(size > 0.0) || !size.is_finite() {
-                return false;
-            }
-            let largest = z.iter().fold(0.0, |m: f64, x| m.max(*x));
-            z = std::array::from_fn(|i| next[i] / size + 0.1 * z[i] / largest);
-        }
-        false
+        shrinks_some(shrink, b.map(|[low, high]| high - low))
     }
+}
+
+impl Chart {
+    /// Whether each plane across `d` is proved to hold at most one point of the part of the surface over ranges of the
+    /// parameters that lies on a carrier: the same proof for the function of which the carrier is a contour, with the height
+    /// along `d`. Its derivatives are those of the surface along the carrier's gradient, which changes no more than so much
+    /// over the part.
+    fn cuts_once(&self, ranges: [[f64; 2]; 2], carrier: &Carrier, d: Vector3) -> bool {
+        let [point, u, v] = self.jet(ranges.map(|[low, high]| 0.5 * (low + high)));
+        let out = carrier.gradient(point.to_point());
+        let Some(inverse) = inverted([[out.dot(u), out.dot(v)], [d.dot(u), d.dot(v)]]) else { return false };
+        let slopes = self.slopes_over(ranges);
+        let lengths = slopes.lengths();
+        let reach: f64 = (0..2).map(|k| 0.5 * (ranges[k][1] - ranges[k][0]) * lengths[k]).sum();
+        let Some(change) = carrier.gradient_change(point.to_point(), reach) else { return false };
+        let shrink = inverse.map(|[by_out, by_height]| {
+            let parts = [out * by_out, d * by_height];
+            let size = sum_of_sizes(parts[0]) + sum_of_sizes(parts[1]);
+            let found = slopes.along([parts[0] + parts[1]; 2], [size; 2]);
+            [0, 1].map(|k| (found[k], by_out.abs() * change * lengths[k]))
+        });
+        let shrink = std::array::from_fn(|i| {
+            std::array::from_fn(|k| shrink[i][k].0.off(if i == k { 1.0 } else { 0.0 }) + shrink[i][k].1)
+        });
+        shrinks_some(shrink, ranges.map(|[low, high]| high - low))
+    }
+}
+
+/// Whether a matrix without negative numbers shrinks some positive vector, sought from one.
+fn shrinks_some<const N: usize>(shrink: [[f64; N]; N], from: [f64; N]) -> bool {
+    // Towards the vector that is shrunk most evenly; any positive one is a proof.
+    let mut z = from.map(|x| x.max(f64::MIN_POSITIVE));
+    for _ in 0..6 {
+        let next: [f64; N] = std::array::from_fn(|i| (0..N).map(|j| shrink[i][j] * z[j]).sum());
+        if (0..N).all(|i| next[i] < 0.9 * z[i]) {
+            return true;
+        }
+        let size = next.iter().fold(0.0, |m: f64, x| m.max(*x));
+        if !(size > 0.0) || !size.is_finite() {
+            return false;
+        }
+        let largest = z.iter().fold(0.0, |m: f64, x| m.max(*x));
+        z = std::array::from_fn(|i| next[i] / size + 0.1 * z[i] / largest);
+    }
+    false
 }
 
 /// The sum of the sizes of the components.
@@ -75,31 +120,27 @@ fn sum_of_sizes(v: Vector3) -> f64 {
 }
 
 /// The inverse of a matrix, by elimination with row pivoting; columns may have units of their own.
-fn inverted(m: [[f64; 4]; 4]) -> Option<[[f64; 4]; 4]> {
-    let mut a = [[0.0; 8]; 4];
-    for i in 0..4 {
-        a[i][..4].copy_from_slice(&m[i]);
-        a[i][4 + i] = 1.0;
-    }
-    for k in 0..4 {
-        let best = (k..4).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
+fn inverted<const N: usize>(mut a: [[f64; N]; N]) -> Option<[[f64; N]; N]> {
+    let mut out: [[f64; N]; N] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
+    for k in 0..N {
+        let best = (k..N).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
         a.swap(k, best);
+        out.swap(k, best);
         let pivot = a[k][k];
         if pivot == 0.0 || !pivot.is_finite() {
             return None;
         }
-        for j in 0..8 {
+        for j in 0..N {
             a[k][j] /= pivot;
+            out[k][j] /= pivot;
         }
-        for i in 0..4 {
-            if i != k {
-                let factor = a[i][k];
-                for j in 0..8 {
-                    a[i][j] -= factor * a[k][j];
-                }
+        for i in (0..N).filter(|i| *i != k) {
+            let factor = a[i][k];
+            for j in 0..N {
+                a[i][j] -= factor * a[k][j];
+                out[i][j] -= factor * out[k][j];
             }
         }
     }
-    let out: [[f64; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| a[i][4 + j]));
     out.iter().flatten().all(|x| x.is_finite()).then_some(out)
 }

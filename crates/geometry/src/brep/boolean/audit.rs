@@ -3,6 +3,8 @@
 //! The volumes of union and intersection add up to those of the operands whatever is chosen, as long as every part is
 //! chosen for one of them: that identity tells nothing of one result. What tells is between which volumes it must lie.
 
+use std::f64::consts::PI;
+
 use super::{Made, Refusal, RefusalClass};
 use crate::{Brep, Error, Result, cancellation};
 
@@ -39,6 +41,22 @@ pub(super) fn volumes(operation: Operation, first: &[Brep], second: &[Brep], mad
         return Ok(());
     }
     Err(Refusal::at(RefusalClass::Unsound, &[], None))
+}
+
+/// Refuses solids of more volume than their area can enclose (the isoperimetric inequality, 36 π V² ≤ A³): their faces do not
+/// close, though their edges are one within the tolerance.
+///
+/// # Errors
+/// As described; or the work was stopped.
+pub(super) fn enclosed<'a>(solids: impl Iterator<Item = &'a Brep>) -> Result<()> {
+    for solid in solids {
+        let area = solid.area_properties(MEASURED, || !cancellation::was_given_up())?.amount;
+        let volume = (1.0 - WITHIN) * solid.rough_volume();
+        if 36.0 * PI * volume * volume > area * area * area {
+            return Err(Refusal::at(RefusalClass::Unsound, &[], None));
+        }
+    }
+    Ok(())
 }
 
 /// Whether operands of some volumes can give results of some volumes.

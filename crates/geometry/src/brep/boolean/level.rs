@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::audit;
 use super::cells::{self, Beside, Sheet};
 use super::operands::{self, Operands};
 use super::pieces::Pieces;
@@ -203,6 +204,7 @@ impl Level {
         let two = |s: &Sheet| [false, true].map(|flipped| Chosen { region: s.region, flipped });
         let chosen: Vec<Chosen> = self.sheets.iter().flat_map(two).collect();
         let found = self.shells(&chosen).volumes()?;
+        audit::enclosed(found.iter().map(|(_, made)| &made.brep))?;
         let inside = |place: usize| {
             let sides = self.sheets.get(place / 2).map(|s| &s.sides);
             sides.map_or_else(Vec::new, |s| {

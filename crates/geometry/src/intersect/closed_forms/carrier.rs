@@ -155,4 +155,26 @@ impl Carrier {
             }
         }
     }
+
+    /// The most by which [`Self::gradient`] changes within a distance of a point; `None` where an axis or the middle plane of a double
+    /// cone lies as near.
+    ///
+    /// Half the square of the distance from a centre, an axis or the middle of a tube has a gradient that changes by no more
+    /// than the way, times the radius over the distance to the axis more for a tube; a cone's turns with the way around its axis
+    /// (derived here).
+    pub(crate) fn gradient_change(&self, p: Point3, reach: f64) -> Option<f64> {
+        match self {
+            Self::Plane(_) => Some(0.0),
+            Self::Sphere { .. } | Self::Cylinder { .. } => Some(reach),
+            Self::Cone { axis, half_angle } => {
+                let (height, way) = axis.split(p);
+                let left = way.length() - reach;
+                (left > 0.0 && height.abs() > reach).then(|| reach / left * half_angle.cosine())
+            }
+            Self::Torus { axis, major_radius, .. } => {
+                let left = axis.split(p).1.length() - reach;
+                (left > 0.0).then(|| reach * (1.0 + major_radius / left))
+            }
+        }
+    }
 }

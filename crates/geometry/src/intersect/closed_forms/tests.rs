@@ -524,3 +524,41 @@ fn conics_are_exact_over_a_box() {
         }
     }
 }
+
+/// Over steps of all lengths the gradient changes by no more than is stated, and by that much somewhere.
+#[test]
+fn gradients_change_no_more_than_stated() {
+    let axis = direction(0.7, 1.1);
+    let carriers = [
+        (plane(at(0.1, 0.2, 0.3), axis), 1.0),
+        (sphere(at(1.0, -0.5, 0.2), 1.3), 0.99),
+        (cylinder(at(0.2, 0.1, -0.4), axis, 0.8), 0.95),
+        (cone(at(0.5, 0.3, 0.1), axis, 0.6), 0.3),
+        (torus(0.2, 2.0, 0.7), 0.3),
+    ];
+    for (carrier, sharp) in carriers {
+        let mut random = Random(7);
+        let (mut closest, mut told) = (0.0_f64, 0);
+        for _ in 0..20_000 {
+            let mut somewhere = |size: f64| [0; 3].map(|_| random.within(-size, size));
+            let [x, y, z] = somewhere(3.0);
+            let p = at(x, y, z);
+            let [x, y, z] = somewhere(1.0);
+            let step = Vector3::new(x, y, z) * (10.0_f64).powf(-random.within(0.0, 4.0));
+            let Some(most) = carrier.gradient_change(p, step.length()) else { continue };
+            let change = (carrier.gradient(p + step) - carrier.gradient(p)).length();
+            assert!(
+                change <= most * (1.0 + 1e-9) + 1e-12,
+                "{carrier:?} {p:?} {step:?}: {change} over {most}"
+            );
+            if most > 0.0 {
+                closest = closest.max(change / most);
+            }
+            told += 1;
+        }
+        assert!(
+            told > 5_000 && (matches!(carrier, Carrier::Plane(_)) || closest > sharp),
+            "{carrier:?} {told} {closest}"
+        );
+    }
+}

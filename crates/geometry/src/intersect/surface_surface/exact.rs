@@ -5,7 +5,7 @@ use super::{BranchKind, SurfaceBranch, SurfaceContact, SurfaceContactKind, Surfa
 use crate::chart::thresholds::{
     EXACT, EXACT_OF_NOISE, IMAGE, IMAGE_OF_TOLERANCE, ON_CARRIER, ONE_PLANE, noise,
 };
-use crate::chart::{Breaks, smooth_pieces};
+use crate::chart::{Breaks, Chart, smooth_pieces};
 use crate::intersect::{Carrier, CarrierCurve, CarrierMeeting, Conic, carrier_carrier, curve_curve};
 use crate::{
     BoundingBox, Curve, Direction, NurbsSurface, Point3, Result, Surface, Tolerance, Xform, cancellation,
@@ -128,6 +128,24 @@ fn told(surface: &Surface, exact: &Tolerance) -> Result<Option<Carrier>> {
         Surface::Sum(_) => is_plain(&surface.to_nurbs()?, &carrier)?,
     };
     Ok(plain.then_some(carrier))
+}
+
+/// The surface of two that lies on a carrier, and which; of two the one with a plane, else the second.
+///
+/// # Errors
+/// The work was stopped.
+pub(super) fn carrier(charts: &[Chart; 2]) -> Result<Option<(usize, Carrier)>> {
+    let mut found = None;
+    for (s, chart) in charts.iter().enumerate() {
+        let surface = Surface::from(chart.nurbs().clone());
+        let absolute = EXACT * chart.size();
+        let exact = Tolerance { absolute, angle: EXACT };
+        if is_bent_polynomial(&surface, absolute) || matches!(found, Some((_, Carrier::Plane(_)))) {
+            continue;
+        }
+        found = told(&surface, &exact)?.map(|carrier| (s, carrier)).or(found);
+    }
+    Ok(found)
 }
 
 /// At most so many places a direction are looked at for folds.

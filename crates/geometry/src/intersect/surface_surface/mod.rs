@@ -132,6 +132,9 @@ pub struct SurfaceMeeting {
 /// (After T. Sederberg and R. Meyers, *Loop detection in surface patch intersections*, 1988, with interval bounds instead of
 /// cones; marching as in N. Patrikalakis and T. Maekawa, *Shape Interrogation*, 5.8.)
 ///
+/// Where one of the surfaces is a part of a plane, sphere, cylinder, cone or torus, parts of the other one alone are proved to
+/// hold a graph, each once, and so are the steps: the curve is where a function of two parameters is zero.
+///
 /// Where the surfaces touch, Newton's method on their tangent planes finds the place, and the difference of their second
 /// fundamental forms its kind; along a curve the way goes on where the difference is 0. Common areas are bounded by the parts of
 /// the sides of each surface that lie on the other one.
@@ -223,7 +226,7 @@ fn met_in_pieces(a: &NurbsSurface, b: &NurbsSurface, limit: f64, breaks: Breaks)
     let shift = center.to_vector();
     let home = Xform::translation(-shift);
     let whole = [Chart::new(a.transformed(&home)?)?, Chart::new(b.transformed(&home)?)?];
-    let pair = Pair::new(&whole[0], &whole[1]);
+    let pair = Pair { carrier: exact::carrier(&whole)?, ..Pair::new(&whole[0], &whole[1]) };
     let size = pair.size();
     if whole.iter().any(|c| !c.has_area()) {
         return Err(Error::degenerate("surface", "it has no area"));
@@ -258,7 +261,7 @@ fn met_in_pieces(a: &NurbsSurface, b: &NurbsSurface, limit: f64, breaks: Breaks)
             if around.distance_to_box(other) > reach {
                 continue;
             }
-            let part = Pair { charts: [first, second], noise: pair.noise };
+            let part = Pair { charts: [first, second], ..pair };
             let mut search = Search::new(part, SMALLEST * size)?;
             let (places, common) = search.places(limit)?;
             if let Some(common) = common {

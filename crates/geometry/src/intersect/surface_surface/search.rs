@@ -1,5 +1,7 @@
 //! Where two surfaces may meet: pairs of parts, until each is proved to hold no common point, or at most one curve.
 
+use std::collections::BTreeMap;
+
 use super::super::curve_surface::{MOST_VISITS, curve_parts};
 use super::super::judge::separated;
 use super::super::patch_tree::{PatchNode, PatchTree};
@@ -46,6 +48,8 @@ pub(super) struct Search<'a> {
     smallest: f64,
     /// An area that is known to be common.
     area: Option<Area>,
+    /// Of parts of a surface opposite to a carrier: the direction over which the common curve is proved to be a graph.
+    proved: BTreeMap<u32, Option<Vector3>>,
 }
 
 impl<'a> Search<'a> {
@@ -56,6 +60,7 @@ impl<'a> Search<'a> {
             trees: [PatchTree::over(a.nurbs(), a.nets())?, PatchTree::over(b.nurbs(), b.nets())?],
             smallest,
             area: None,
+            proved: BTreeMap::new(),
         })
     }
 
@@ -208,15 +213,33 @@ impl<'a> Search<'a> {
     }
 
     /// The pair as a leaf, if its common curve is proved to be a graph, also a little beyond the parts.
-    fn leaf(&self, nodes: [u32; 2]) -> Option<Leaf> {
+    fn leaf(&mut self, nodes: [u32; 2]) -> Option<Leaf> {
         if (0..2).any(|s| self.node(nodes, s).patch().is_none()) {
             return None;
         }
         let bounds = self.bounds(nodes);
-        let jets = self.pair.jets(bounds.map(|[a, b]| 0.5 * (a + b)));
-        let [m, n] = jets.map(|j| j[1].cross(j[2]).unitized());
-        let along = m?.cross(n?).unitized()?;
-        self.pair.is_graph(self.wide(bounds), along).then_some(Leaf { nodes, bounds, along })
+        let along = match &self.pair.carrier {
+            // Which part of the carrier is opposite does not matter.
+            Some((s, _)) => {
+                let own = nodes[1 - s];
+                match self.proved.get(&own) {
+                    Some(known) => *known,
+                    None => {
+                        let found = self.graph_over(bounds);
+                        self.proved.insert(own, found);
+                        found
+                    }
+                }
+            }
+            None => self.graph_over(bounds),
+        }?;
+        Some(Leaf { nodes, bounds, along })
+    }
+
+    /// The direction over which the common curve of both parts is proved to be a graph, also a little beyond them.
+    fn graph_over(&self, bounds: Box4) -> Option<Vector3> {
+        let along = self.pair.along(bounds)?;
+        self.pair.is_graph(self.wide(bounds), along).then_some(along)
     }
 
     /// A box of parameters with what is beside it.
