@@ -7,6 +7,7 @@ mod annotations;
 mod attributes;
 mod bake;
 mod blocks;
+mod criteria;
 mod filter;
 mod layers;
 mod reference;
