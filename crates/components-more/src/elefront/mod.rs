@@ -7,6 +7,7 @@ mod annotations;
 mod attributes;
 mod bake;
 mod blocks;
+mod changes;
 mod criteria;
 mod filter;
 mod layers;
@@ -14,4 +15,5 @@ mod reference;
 mod trees;
 
 pub(crate) use attributes::texts;
+pub(crate) use changes::modified;
 pub(crate) use reference::{model, objects};
