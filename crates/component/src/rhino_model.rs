@@ -132,6 +132,11 @@ impl RhinoModel {
         self.layers.iter().find(|layer| layer.path.to_lowercase() == path)
     }
 
+    /// The linetypes in the order of the table.
+    pub fn linetypes(&self) -> &[Shared<ModelLinetype>] {
+        &self.linetypes
+    }
+
     /// The linetype of a name, whatever the case of letters.
     pub fn linetype(&self, name: &str) -> Option<&Shared<ModelLinetype>> {
         let name = name.to_lowercase();

@@ -129,7 +129,7 @@ pub fn stand_in(
 }
 
 /// For each port in a file the number of the declared one: by name, else by the short name, else by its place where
-/// nobody else has that.
+/// nobody else has that. Where the last declared one stands for any number of ports, the others are such ones.
 fn places(ports: &[PortNames<'_>], declared: &[Port]) -> Vec<Option<usize>> {
     let mut taken = vec![false; declared.len()];
     let mut places: Vec<Option<usize>> = vec![None; ports.len()];
@@ -151,14 +151,19 @@ fn places(ports: &[PortNames<'_>], declared: &[Port]) -> Vec<Option<usize>> {
             }
         }
     }
+    let many = declared.last().is_some_and(|last| last.many);
+    let mut next = declared.len();
     for (k, place) in places.iter_mut().enumerate().filter(|(_, place)| place.is_none()) {
-        let many = declared.last().is_some_and(|last| last.many) && k >= declared.len();
         match taken.get_mut(k) {
             Some(taken) if !*taken => {
                 *taken = true;
                 *place = Some(k);
             }
-            None if many => *place = Some(k),
+            // Of the last port there are as many as come, wherever they stand.
+            _ if many => {
+                *place = Some(next);
+                next += 1;
+            }
             _ => {}
         }
     }

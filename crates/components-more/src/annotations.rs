@@ -1,12 +1,18 @@
 //! Texts, text dots and hatches of a Rhino model: made, and taken apart.
 
-use katydid_3dm::{Annotation, AnnotationKind, Hatch, Limits, Object, StoredPlane, TextContent, TextDot};
+use katydid_3dm::{
+    Annotation, AnnotationKind, CurveForm, Hatch, HatchLoop, Limits, Object, StoredPlane, TextContent,
+    TextDot,
+};
 use katydid_component::Message;
 use katydid_component::parts::Uuid;
 use katydid_data::{Content, Value};
-use katydid_geometry::{Curve, Plane, Point3, Vector2, Xform};
+use katydid_geometry::{Curve, Plane, Point2, Point3, Vector2, Xform};
 
 use crate::model_objects::type_name;
+
+/// The pattern of a hatch that is filled: one that no table has.
+const NO_PATTERN: i32 = -1;
 
 /// The object of an archive that an item is, or is the attributes and geometry of.
 fn archived(value: &Value) -> Option<Object> {
@@ -104,6 +110,38 @@ pub(crate) fn text_dot(text: &str, at: Point3, font: Option<&str>, height: i32) 
     }
     Value::from_object(Object::TextDot(dot), &[])
         .ok_or_else(|| Message::error("The text dot cannot be written"))
+}
+
+/// A solid hatch of a model inside a curve, with what a pattern would be turned, in radians, and multiplied by.
+///
+/// # Errors
+/// The curve is not closed or not planar, a number is not finite or the scale not above 0, or it cannot be written.
+pub(crate) fn hatch_object(
+    boundary: &Curve,
+    rotation: f64,
+    scale: f64,
+    tolerance: f64,
+) -> Result<Value, Message> {
+    if !boundary.is_closed() {
+        return Err(Message::error("The boundary is not closed"));
+    }
+    let plane = boundary.plane(tolerance).ok_or_else(|| Message::error("The boundary is not planar"))?;
+    if !(rotation.is_finite() && scale.is_finite() && scale > 0.0) {
+        return Err(Message::error(format!(
+            "A pattern cannot be turned by {rotation} and multiplied by {scale}"
+        )));
+    }
+    let flat = boundary.transformed(&Xform::plane_to_plane(&plane, &Plane::XY))?;
+    let hatch = Hatch {
+        plane: StoredPlane::from(plane),
+        scale,
+        rotation,
+        pattern: NO_PATTERN,
+        loops: vec![HatchLoop { outer: true, curve: CurveForm::of(&flat, 2) }],
+        base_point: Point2::ORIGIN,
+    };
+    Value::from_object(Object::Hatch(Box::new(hatch)), &[])
+        .ok_or_else(|| Message::error("The hatch cannot be written"))
 }
 
 /// A hatch of a model with its boundary curves where they lie.

@@ -8,15 +8,19 @@ use katydid_geometry::{Plane, Xform};
 
 use crate::model_objects::{attributed, object_of, own_object, type_name};
 
-/// The block that an item places, itself or as the geometry of an object of the model.
-pub(crate) fn instance_of(context: &Context<'_>, value: &Value) -> Option<BlockInstance> {
-    let placed = |value: &Value| match value {
+/// The block that an item places.
+pub(crate) fn placed(value: &Value) -> Option<BlockInstance> {
+    match value {
         Value::Content(content) => match &**content {
             Content::Instance(instance) => Some(instance.clone()),
             _ => None,
         },
         _ => None,
-    };
+    }
+}
+
+/// The block that an item places, itself or as the geometry of an object of the model.
+pub(crate) fn instance_of(context: &Context<'_>, value: &Value) -> Option<BlockInstance> {
     placed(value).or_else(|| placed(object_of(context, value)?.geometry.as_ref()?))
 }
 

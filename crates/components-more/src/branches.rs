@@ -29,6 +29,19 @@ impl Branches {
     }
 }
 
+/// A tree with the paths of another one, whose branches are filled anew.
+pub(crate) fn refilled<'a, Items>(tree: &'a Tree, fill: impl Fn(usize, Branch<'a>) -> Items) -> Tree
+where
+    Items: IntoIterator<Item = Option<Value>>,
+{
+    let mut made = TreeBuilder::<Value>::new();
+    for (place, branch) in tree.branches().enumerate() {
+        made.branch(branch.path().clone());
+        fill(place, branch).into_iter().for_each(|item| made.push(item));
+    }
+    made.finish()
+}
+
 /// All items of a tree, one branch after the other.
 pub(crate) fn items(tree: &Tree) -> impl Iterator<Item = Option<Value>> {
     (0..tree.item_count()).map(|at| tree.column().get(at))

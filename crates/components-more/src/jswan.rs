@@ -9,7 +9,7 @@ use std::sync::Arc;
 use katydid_component::{Context, Each, List, ManyItems, Message, component};
 use katydid_data::{Tree, TreeBuilder, Value};
 
-use text::Json;
+pub(crate) use text::Json;
 
 /// What stands in a text, or in the file that the text names.
 fn parsed(context: &Context<'_>, text: &str) -> Result<Json, Message> {

@@ -128,6 +128,28 @@ mod tests {
     }
 
     #[test]
+    fn human_has_the_components_that_went_on_as_treefrog() {
+        for name in ["Assign Paths", "Graft By Data", "Match Paths", "Path Description"] {
+            for library in ["Human", "TreeFrog"] {
+                let found = stand_in(STRANGE, Some(library), name, &[], &[]).unwrap();
+                assert_eq!((found.component.name, found.component.tab), (name, "TreeFrog"), "{library}");
+            }
+        }
+        let of = |library: &str, name: &str| stand_in(STRANGE, Some(library), name, &[], &[]);
+        assert_eq!(of("Human", "Layer Table").unwrap().component.tab, "Human");
+        assert!(of("TreeFrog", "Layer Table").is_none());
+    }
+
+    #[test]
+    fn inputs_of_any_number_may_stand_before_others() {
+        let inputs = [("Data", "L0"), ("Data", "L1"), ("Cull Pattern", "P"), ("Data", "L2")];
+        let outputs = [("Data", "L0"), ("Data", "L1"), ("Data", "L2")];
+        let found = stand_in(STRANGE, Some("TreeSloth"), "Cull Multiple", &inputs, &outputs).unwrap();
+        assert_eq!([0, 1, 2, 3].map(|k| found.input_place(k)), [Some(1), Some(2), Some(0), Some(3)]);
+        assert_eq!([0, 1, 2].map(|k| found.output_place(k)), [Some(0), Some(1), Some(2)]);
+    }
+
+    #[test]
     fn of_versions_the_one_with_the_same_ports_is_found() {
         let inputs: Vec<(&str, &str)> =
             ["GoalObjects", "Points", "Reset", "Restart", "Parallel", "Threshold", "On"]
@@ -137,6 +159,18 @@ mod tests {
         assert_eq!(found.component.inputs.len(), 9);
         let known = registry::by_guid(found.component.guid).unwrap();
         assert_eq!(known.name, "Solver");
+    }
+
+    #[test]
+    fn no_two_components_have_one_id() {
+        let mut known = std::collections::HashMap::new();
+        for component in registry::all() {
+            let ids = [component.guid].into_iter().chain(component.also.iter().copied());
+            for id in ids {
+                let other = known.insert(id, component.name);
+                assert_eq!(other, None, "{} has the id {id}, too", component.name);
+            }
+        }
     }
 
     #[test]

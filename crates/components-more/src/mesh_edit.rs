@@ -5,7 +5,8 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, List, Message, component};
-use katydid_geometry::{Mesh, MeshFace, Point3};
+use katydid_geometry::cloud::{convex_hull, convex_hull_3d};
+use katydid_geometry::{Mesh, MeshFace, Plane, Point2, Point3, Vector3};
 
 use crate::polygons::Polygons;
 
@@ -239,6 +240,85 @@ fn unify_normals(
     Ok(Shared::new(mesh.unified()?.0))
 }
 
+/// The points of a list that are there.
+///
+/// # Errors
+/// There are none.
+fn given(points: &List<'_, Point3>) -> Result<Vec<Point3>, Message> {
+    let points: Vec<Point3> = points.present().collect();
+    if points.is_empty() { Err(Message::error("There are no points")) } else { Ok(points) }
+}
+
+/// The convex hull of points in space, as a closed mesh of triangles. Points in one plane have none. Stands for MeshEdit's 3D
+/// ConvexHull.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1d0c",
+    name = "3D ConvexHull",
+    nick = "ConvexHull",
+    at = "MeshEdit/Triangulation"
+)]
+#[output("ConvexHullSurface", "M", "The mesh.")]
+fn convex_hull_mesh(
+    context: &Context<'_>,
+    /// The points.
+    #[port("Points", "P")]
+    points: List<Point3>,
+) -> Result<Shared<Mesh>, Message> {
+    let points = given(&points)?;
+    context.items(points.len())?;
+    let faces: Vec<MeshFace> = convex_hull_3d(&points)?.into_iter().map(MeshFace::Triangle).collect();
+    Ok(Shared::new(Mesh::new(points, Vec::new())?.part(&faces)?.with_normals()))
+}
+
+/// The corners of the convex hull of points by their numbers.
+fn hull_corners(points: &[Point3], tolerance: f64) -> Result<Vec<usize>, Message> {
+    let plane = match Plane::fit(points) {
+        Ok((plane, deviation)) if deviation <= tolerance => plane,
+        Ok(_) => {
+            let mut corners: Vec<usize> =
+                convex_hull_3d(points)?.concat().into_iter().map(|i| i as usize).collect();
+            corners.sort_unstable();
+            corners.dedup();
+            return Ok(corners);
+        }
+        // All of them on one line, which any plane along it shows.
+        Err(_) => {
+            let first = points.first().copied().unwrap_or(Point3::ORIGIN);
+            let away = points.iter().map(|p| *p - first);
+            let far = away.fold(Vector3::ZERO, |far, v| if v.length() > far.length() { v } else { far });
+            Plane::from_normal(first, far.perpendicular().unwrap_or(Vector3::Z))?
+        }
+    };
+    let flat = |p: &Point3| {
+        let [x, y, _] = plane.coordinates(*p);
+        Point2::new(x, y)
+    };
+    Ok(convex_hull(&points.iter().map(flat).collect::<Vec<Point2>>())?)
+}
+
+/// The points of a set that are corners of its convex hull. In space they keep their order; those of points in one plane, within the
+/// tolerance of the document, go round it. Stands for MeshEdit's Convex Hull Points.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1d0d",
+    name = "Convex Hull Points",
+    nick = "HullPt",
+    at = "MeshEdit/Triangulation"
+)]
+#[output("ConvexHull", "P", "The corners.")]
+#[output("Indices", "ID", "Their places among the points, from 0; nulls are not counted.")]
+fn convex_hull_points(
+    context: &Context<'_>,
+    /// The points.
+    #[port("Points", "P")]
+    points: List<Point3>,
+) -> Result<(Vec<Point3>, Vec<i32>), Message> {
+    let points = given(&points)?;
+    context.items(points.len().saturating_mul(2))?;
+    let corners = hull_corners(&points, context.tolerance().absolute)?;
+    let places = corners.iter().map(|i| i32::try_from(*i).unwrap_or(i32::MAX)).collect();
+    Ok((corners.iter().filter_map(|i| points.get(*i).copied()).collect(), places))
+}
+
 #[cfg(test)]
 mod tests {
     use katydid_component::testing::Trial;
@@ -268,5 +348,44 @@ mod tests {
             ["{0}: Mesh (V:6  F:2)"]
         );
         assert!(Trial::of("Mesh from Points").list(points).item(4).item(2).message().contains("rows"));
+    }
+
+    /// The corners of a cube of side 2, its middle, and a point inside.
+    fn cloud() -> Vec<Point3> {
+        let mut points: Vec<Point3> = vec![Point3::new(1.0, 1.0, 1.0)];
+        points.extend(
+            (0..8).map(|i| Point3::new(f64::from(2 * (i & 1)), f64::from(i & 2), f64::from((i & 4) / 2))),
+        );
+        points.push(Point3::new(0.5, 1.0, 1.5));
+        points
+    }
+
+    #[test]
+    fn hulls_in_space() {
+        let hull = Trial::of("3D ConvexHull").list(cloud()).run().outputs[0].clone();
+        let Some(katydid_data::Value::Mesh(mesh)) = hull.column().get(0) else { panic!("a mesh") };
+        assert_eq!((mesh.vertices().len(), mesh.faces().len()), (8, 12));
+        assert!(mesh.is_closed() && (mesh.volume() - 8.0).abs() < 1e-12);
+        assert_eq!(Trial::of("Convex Hull Points").list(cloud()).texts(1), ["{0}: 1, 2, 3, 4, 5, 6, 7, 8"]);
+        let none: [Option<Point3>; 1] = [None];
+        assert_eq!(Trial::of("3D ConvexHull").gaps(none).message(), "There are no points");
+    }
+
+    #[test]
+    fn hulls_of_flat_points() {
+        let flat = || {
+            [(0.0, 0.0), (4.0, 0.0), (1.0, 1.0), (4.0, 3.0), (0.0, 3.0)].map(|(x, y)| Point3::new(x, y, 7.0))
+        };
+        let out = Trial::of("Convex Hull Points").list(flat()).texts(1);
+        let mut places: Vec<&str> = out[0].trim_start_matches("{0}: ").split(", ").collect();
+        places.sort_unstable();
+        assert_eq!(places, ["0", "1", "3", "4"]);
+        assert!(!Trial::of("3D ConvexHull").list(flat()).message().is_empty());
+        let line = [3.0, 1.0, 2.0].map(|x| Point3::new(x, x, 0.0));
+        let ends = Trial::of("Convex Hull Points").list(line).texts(1);
+        assert!(ends == ["{0}: 0, 1"] || ends == ["{0}: 1, 0"], "{ends:?}");
+        assert_eq!(Trial::of("Convex Hull Points").list([Point3::ORIGIN]).texts(1), ["{0}: 0"]);
+        let broken = Trial::of("Convex Hull Points").list([Point3::new(f64::NAN, 0.0, 0.0)]);
+        assert!(!broken.message().is_empty());
     }
 }

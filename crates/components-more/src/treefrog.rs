@@ -6,7 +6,7 @@ use katydid_data::{Path, Tree, Value};
 use crate::branches::{Branches, items};
 
 /// Not as many items as there should be.
-fn uneven(what: &str, found: usize, wanted: usize) -> Message {
+pub(crate) fn uneven(what: &str, found: usize, wanted: usize) -> Message {
     Message::error(format!("There are {found} {what} for {wanted} items: there must be as many"))
 }
 

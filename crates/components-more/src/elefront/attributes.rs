@@ -36,14 +36,29 @@ fn define(
     #[port("Material", "[]M", kind = Generic, optional)]
     material: Option<Value>,
 ) -> Result<Value, Message> {
+    defined(name, layer.as_ref(), colour, material.as_ref(), &keys, &values)
+}
+
+/// Attributes of those parts.
+///
+/// # Errors
+/// There are not as many texts as keys.
+pub(super) fn defined(
+    name: Option<Shared<str>>,
+    layer: Option<&Value>,
+    colour: Option<Colour>,
+    material: Option<&Value>,
+    keys: &List<Shared<str>>,
+    values: &List<Shared<str>>,
+) -> Result<Value, Message> {
     let mut object = ModelObject {
         name: name.unwrap_or_default(),
-        layer: layer_of(layer.as_ref()),
+        layer: layer_of(layer),
         colour,
-        material: material_of(material.as_ref()),
+        material: material_of(material),
         ..ModelObject::default()
     };
-    texts(&mut object, &keys, &values)?;
+    texts(&mut object, keys, values)?;
     Ok(Value::from(object))
 }
 

@@ -1,14 +1,13 @@
-//! Objects filtered and sorted by what they are and by their attributes. How filters are written is our reading.
+//! Objects filtered and sorted by what they are and by their attributes.
 
 use std::sync::Arc;
 
 use katydid_component::{Context, List, Message, component};
 use katydid_data::{Colour, ModelObject, Tree, Value};
 
-use super::reference::{any, objects};
+use super::criteria::{any, coloured, has_all, of_types, on_layers, pairs};
 use crate::branches::{Branches, of};
-use crate::model_objects::{is_of_type, object_of};
-use crate::wildcard::takes;
+use crate::model_objects::object_of;
 
 type Passed = Result<(Vec<Value>, Vec<bool>), Message>;
 
@@ -34,210 +33,89 @@ fn by_attributes(
     filtered(context, geometry, |value| object_of(context, value).is_some_and(|object| passes(&object)))
 }
 
-/// The colour an object is seen in.
-fn colour_of(object: &ModelObject) -> Option<Colour> {
-    object.colour.or_else(|| object.layer.as_deref().and_then(|layer| layer.colour))
+/// A component of a list whose objects pass or do not.
+macro_rules! filter {
+    (
+        $(#[$help:meta])* $function:ident, $guid:literal, $name:literal, $nick:literal,
+        [$($(#[$told:meta])* $port:literal, $short:literal, $given:ident: $type:ty;)*],
+        $way:ident($passes:expr)
+    ) => {
+        $(#[$help])*
+        #[component($guid, name = $name, nick = $nick, at = "EleFront/02 Filter")]
+        #[output("Geometry", "G", "The objects that pass.", kind = Generic)]
+        #[output("Pattern", "P", "Whether each object passes.")]
+        fn $function(
+            context: &Context<'_>,
+            /// The objects.
+            #[port("Geometry", "G")]
+            geometry: List<Value>,
+            $(
+                $(#[$told])*
+                #[port($port, $short)]
+                $given: List<$type>,
+            )*
+        ) -> Result<(Vec<Value>, Vec<bool>), Message> {
+            $way(context, &geometry, $passes)
+        }
+    };
 }
 
-/// A key and the text under it.
-type Pair = (Arc<str>, Arc<str>);
+filter!(
+    /// The objects of a list that are on layers. `*` stands for any text, `?` for one character; capitals do not matter. Stands for
+    /// EleFront's Filter By Layer.
+    filter_by_layer, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd211", "Filter By Layer", "FilterLayer",
+    [
+        /// The paths of the layers (`Outer::Inner`), or their own names.
+        "Layer", "L", layers: Arc<str>;
+    ],
+    by_attributes(|object| on_layers(object, &layers))
+);
 
-/// Pairs of keys and values.
-///
-/// # Errors
-/// There are not as many of each.
-pub(super) fn pairs(keys: &List<'_, Arc<str>>, values: &List<'_, Arc<str>>) -> Result<Vec<Pair>, Message> {
-    if keys.len() != values.len() {
-        return Err(Message::error(format!("There are {} keys and {} values", keys.len(), values.len())));
-    }
-    Ok(keys.iter().zip(values.iter()).filter_map(|(key, value)| Some((key?, value?))).collect())
-}
+filter!(
+    /// The objects of a list that have names. `*` stands for any text, `?` for one character; capitals do not matter. Stands for
+    /// EleFront's Filter By Name.
+    filter_by_name, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd212", "Filter By Name", "FilterName",
+    [
+        /// The names.
+        "Name", "N", names: Arc<str>;
+    ],
+    by_attributes(|object| any(&names, &object.name))
+);
 
-/// Whether an object has all of some texts under their keys.
-pub(super) fn has(object: &ModelObject, pairs: &[Pair]) -> bool {
-    let fits = |(key, value): &Pair| object.text_of(key).is_some_and(|text| takes(value, text));
-    !pairs.is_empty() && pairs.iter().all(fits)
-}
+filter!(
+    /// The objects of a list that are of types: Point, PointCloud, Curve, Surface, Brep, Extrusion, Mesh, SubD, Block, Text, TextDot,
+    /// Leader, Dimension, Hatch, Light or ClippingPlane; Annotation stands for texts, leaders and dimensions. Stands for EleFront's Filter
+    /// By Type.
+    filter_by_type, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd213", "Filter By Type", "FilterType",
+    [
+        /// The types.
+        "Type", "T", types: Arc<str>;
+    ],
+    filtered(|value| of_types(value, &types))
+);
 
-/// The objects of a list that are on layers. `*` stands for any text, `?` for one character; capitals do not matter. Stands for
-/// EleFront's Filter By Layer.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd211",
-    name = "Filter By Layer",
-    nick = "FilterLayer",
-    at = "EleFront/02 Filter"
-)]
-#[output("Geometry", "G", "The objects that pass.", kind = Generic)]
-#[output("Pattern", "P", "Whether each object passes.")]
-fn filter_by_layer(
-    context: &Context<'_>,
-    /// The objects.
-    #[port("Geometry", "G")]
-    geometry: List<Value>,
-    /// The paths of the layers (`Outer::Inner`), or their own names.
-    #[port("Layer", "L")]
-    layers: List<Arc<str>>,
-) -> Result<(Vec<Value>, Vec<bool>), Message> {
-    by_attributes(context, &geometry, |object| {
-        object.layer.as_deref().is_some_and(|layer| any(&layers, &layer.path) || any(&layers, layer.name()))
-    })
-}
+filter!(
+    /// The objects of a list that are seen in colours, their own or those of their layers. Stands for EleFront's Filter By Color.
+    filter_by_color, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd214", "Filter By Color", "FilterColor",
+    [
+        /// The colours.
+        "Color", "C", colours: Colour;
+    ],
+    by_attributes(|object| coloured(object, &colours))
+);
 
-/// The objects of a list that have names. `*` stands for any text, `?` for one character; capitals do not matter. Stands for
-/// EleFront's Filter By Name.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd212",
-    name = "Filter By Name",
-    nick = "FilterName",
-    at = "EleFront/02 Filter"
-)]
-#[output("Geometry", "G", "The objects that pass.", kind = Generic)]
-#[output("Pattern", "P", "Whether each object passes.")]
-fn filter_by_name(
-    context: &Context<'_>,
-    /// The objects.
-    #[port("Geometry", "G")]
-    geometry: List<Value>,
-    /// The names.
-    #[port("Name", "N")]
-    names: List<Arc<str>>,
-) -> Result<(Vec<Value>, Vec<bool>), Message> {
-    by_attributes(context, &geometry, |object| any(&names, &object.name))
-}
-
-/// The objects of a list that are of types: Point, PointCloud, Curve, Surface, Brep, Extrusion, Mesh, SubD, Block, Text, TextDot,
-/// Leader, Dimension, Hatch, Light or ClippingPlane; Annotation stands for texts, leaders and dimensions. Stands for EleFront's Filter
-/// By Type.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd213",
-    name = "Filter By Type",
-    nick = "FilterType",
-    at = "EleFront/02 Filter"
-)]
-#[output("Geometry", "G", "The objects that pass.", kind = Generic)]
-#[output("Pattern", "P", "Whether each object passes.")]
-fn filter_by_type(
-    context: &Context<'_>,
-    /// The objects.
-    #[port("Geometry", "G")]
-    geometry: List<Value>,
-    /// The types.
-    #[port("Type", "T")]
-    types: List<Arc<str>>,
-) -> Result<(Vec<Value>, Vec<bool>), Message> {
-    filtered(context, &geometry, |value| types.present().any(|wanted| is_of_type(value, &wanted)))
-}
-
-/// The objects of a list that are seen in colours, their own or those of their layers. Stands for EleFront's Filter By Color.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd214",
-    name = "Filter By Color",
-    nick = "FilterColor",
-    at = "EleFront/02 Filter"
-)]
-#[output("Geometry", "G", "The objects that pass.", kind = Generic)]
-#[output("Pattern", "P", "Whether each object passes.")]
-fn filter_by_color(
-    context: &Context<'_>,
-    /// The objects.
-    #[port("Geometry", "G")]
-    geometry: List<Value>,
-    /// The colours.
-    #[port("Color", "C")]
-    colours: List<Colour>,
-) -> Result<(Vec<Value>, Vec<bool>), Message> {
-    by_attributes(context, &geometry, |object| {
-        colour_of(object).is_some_and(|own| colours.present().any(|colour| colour == own))
-    })
-}
-
-/// The objects of a list that have certain user texts under keys, all of them. `*` stands for any text, `?` for one character;
-/// capitals of the texts do not matter. Stands for EleFront's Filter By User Attributes.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd215",
-    name = "Filter By User Attributes",
-    nick = "FilterUA",
-    at = "EleFront/02 Filter"
-)]
-#[output("Geometry", "G", "The objects that pass.", kind = Generic)]
-#[output("Pattern", "P", "Whether each object passes.")]
-fn filter_by_user_attributes(
-    context: &Context<'_>,
-    /// The objects.
-    #[port("Geometry", "G")]
-    geometry: List<Value>,
-    /// The keys.
-    #[port("Key", "K")]
-    keys: List<Arc<str>>,
-    /// The text under each.
-    #[port("Value", "V")]
-    values: List<Arc<str>>,
-) -> Result<(Vec<Value>, Vec<bool>), Message> {
-    let pairs = pairs(&keys, &values)?;
-    by_attributes(context, &geometry, |object| has(object, &pairs))
-}
-
-/// The objects of the Rhino model that are seen in colours, their own or those of their layers. Stands for EleFront's Reference by
-/// Color.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd216",
-    name = "Reference by Color",
-    nick = "RefColor",
-    at = "EleFront/01 Reference"
-)]
-#[output("Geometry", "G", "The objects.", kind = Content)]
-fn reference_by_color(
-    context: &Context<'_>,
-    /// The colours.
-    #[port("Color", "C")]
-    colours: List<Colour>,
-) -> Result<Vec<Value>, Message> {
-    objects(context, |object| {
-        colour_of(object).is_some_and(|own| colours.present().any(|colour| colour == own))
-    })
-}
-
-/// The objects of the Rhino model that are of types, which are those of Filter By Type. Stands for EleFront's Reference by Type.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd217",
-    name = "Reference by Type",
-    nick = "RefType",
-    at = "EleFront/01 Reference"
-)]
-#[output("Geometry", "G", "The objects.", kind = Content)]
-fn reference_by_type(
-    context: &Context<'_>,
-    /// The types.
-    #[port("Type", "T")]
-    types: List<Arc<str>>,
-) -> Result<Vec<Value>, Message> {
-    objects(context, |object| {
-        let geometry = object.geometry.as_ref();
-        geometry.is_some_and(|value| types.present().any(|wanted| is_of_type(value, &wanted)))
-    })
-}
-
-/// The objects of the Rhino model that have certain user texts under keys, all of them. Stands for EleFront's Reference by User
-/// Atributes, an earlier name of Reference by Key and Value.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd218",
-    name = "Reference by User Atributes",
-    nick = "RefUA",
-    at = "EleFront/01 Reference"
-)]
-#[output("Geometry", "G", "The objects.", kind = Content)]
-fn reference_by_user_attributes(
-    context: &Context<'_>,
-    /// The keys.
-    #[port("Key", "K")]
-    keys: List<Arc<str>>,
-    /// The text under each; `*` stands for any.
-    #[port("Value", "V")]
-    values: List<Arc<str>>,
-) -> Result<Vec<Value>, Message> {
-    let pairs = pairs(&keys, &values)?;
-    objects(context, |object| has(object, &pairs))
-}
+filter!(
+    /// The objects of a list that have certain user texts under keys, all of them. `*` stands for any text, `?` for one character;
+    /// capitals of the texts do not matter. Stands for EleFront's Filter By User Attributes.
+    filter_by_user_attributes, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd215", "Filter By User Attributes", "FilterUA",
+    [
+        /// The keys.
+        "Key", "K", keys: Arc<str>;
+        /// The text under each.
+        "Value", "V", values: Arc<str>;
+    ],
+    by_attributes(has_all(pairs(&keys, &values)?))
+);
 
 /// Objects sorted into a branch for each text that they have under a key, in the order in which the texts are met; objects without one
 /// are left out. Stands for EleFront's Sort By Key; that the branches are `{path;0}`, `{path;1}` and so on is our reading, and one key

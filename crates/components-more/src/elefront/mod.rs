@@ -7,10 +7,13 @@ mod annotations;
 mod attributes;
 mod bake;
 mod blocks;
+mod changes;
+mod criteria;
 mod filter;
 mod layers;
 mod reference;
 mod trees;
 
 pub(crate) use attributes::texts;
+pub(crate) use changes::modified;
 pub(crate) use reference::{model, objects};

@@ -1,4 +1,4 @@
-//! Objects of the Rhino model by layer, name and user text. How filters are written is our reading.
+//! Objects of the Rhino model by layer, name, type, colour and user text.
 
 use std::sync::Arc;
 
@@ -6,9 +6,8 @@ use katydid_component::{Context, List, Message, RhinoModel, component};
 use katydid_data::{Colour, Content, ModelObject, Value};
 
 use super::bake::BAKE_NAME;
-use super::filter::{has, pairs};
+use super::criteria::{any, colour_of, coloured, has_all, of_types, on_layers, pairs};
 use crate::model_objects::object_of;
-use crate::wildcard::takes;
 
 pub(crate) fn model<'a>(context: &Context<'a>) -> Result<&'a RhinoModel, Message> {
     let why = "Needs the Rhino model: none is given (katydid run FILE --model MODEL.3dm)";
@@ -35,104 +34,118 @@ pub(crate) fn objects(
     Ok(found)
 }
 
-pub(super) fn any(patterns: &List<Arc<str>>, text: &str) -> bool {
-    patterns.iter().flatten().any(|pattern| takes(&pattern, text))
+/// A component of the objects of the Rhino model that pass.
+macro_rules! reference {
+    (
+        $(#[$help:meta])* $function:ident, $guid:literal, $name:literal, $nick:literal,
+        [$($(#[$told:meta])* $port:literal, $short:literal, $given:ident: $type:ty;)*],
+        $passes:expr
+    ) => {
+        $(#[$help])*
+        #[component($guid, name = $name, nick = $nick, at = "EleFront/01 Reference")]
+        #[output("Geometry", "G", "The objects.", kind = Content)]
+        fn $function(
+            context: &Context<'_>,
+            $(
+                $(#[$told])*
+                #[port($port, $short)]
+                $given: List<$type>,
+            )*
+        ) -> Result<Vec<Value>, Message> {
+            objects(context, $passes)
+        }
+    };
 }
 
-/// The objects of the Rhino model on layers. `*` stands for any text, `?` for one character; capitals do not matter. Stands for
-/// EleFront's Reference by Layer; that layers below are left out is our reading.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd201",
-    name = "Reference by Layer",
-    nick = "RefLayer",
-    at = "EleFront/01 Reference"
-)]
-#[output("Geometry", "G", "The objects.", kind = Content)]
-fn reference_by_layer(
-    context: &Context<'_>,
-    /// The paths of the layers (`Outer::Inner`), or their own names.
-    #[port("Layer", "L")]
-    layers: List<Arc<str>>,
-) -> Result<Vec<Value>, Message> {
-    objects(context, |object| {
-        object.layer.as_deref().is_some_and(|layer| any(&layers, &layer.path) || any(&layers, layer.name()))
-    })
-}
+reference!(
+    /// The objects of the Rhino model on layers. `*` stands for any text, `?` for one character; capitals do not matter. Stands for
+    /// EleFront's Reference by Layer; that layers below are left out is our reading.
+    reference_by_layer, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd201", "Reference by Layer", "RefLayer",
+    [
+        /// The paths of the layers (`Outer::Inner`), or their own names.
+        "Layer", "L", layers: Arc<str>;
+    ],
+    |object| on_layers(object, &layers)
+);
 
-/// The objects of the Rhino model of some names. `*` stands for any text, `?` for one character; capitals do not matter. Stands
-/// for EleFront's Reference by Name.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd202",
-    name = "Reference by Name",
-    nick = "RefName",
-    at = "EleFront/01 Reference"
-)]
-#[output("Geometry", "G", "The objects.", kind = Content)]
-fn reference_by_name(
-    context: &Context<'_>,
-    /// The names.
-    #[port("Name", "N")]
-    names: List<Arc<str>>,
-) -> Result<Vec<Value>, Message> {
-    objects(context, |object| any(&names, &object.name))
-}
+reference!(
+    /// The objects of the Rhino model of some names. `*` stands for any text, `?` for one character; capitals do not matter. Stands
+    /// for EleFront's Reference by Name.
+    reference_by_name, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd202", "Reference by Name", "RefName",
+    [
+        /// The names.
+        "Name", "N", names: Arc<str>;
+    ],
+    |object| any(&names, &object.name)
+);
 
-/// The objects of the Rhino model that have a user text under a key. Stands for EleFront's Reference by Key.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd203",
-    name = "Reference by Key",
-    nick = "RefKey",
-    at = "EleFront/01 Reference"
-)]
-#[output("Geometry", "G", "The objects.", kind = Content)]
-fn reference_by_key(
-    context: &Context<'_>,
-    /// The keys; one is enough.
-    #[port("Key", "K")]
-    keys: List<Arc<str>>,
-) -> Result<Vec<Value>, Message> {
-    objects(context, |object| keys.iter().flatten().any(|key| object.text_of(&key).is_some()))
-}
+reference!(
+    /// The objects of the Rhino model that have a user text under a key. Stands for EleFront's Reference by Key.
+    reference_by_key, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd203", "Reference by Key", "RefKey",
+    [
+        /// The keys; one is enough.
+        "Key", "K", keys: Arc<str>;
+    ],
+    |object| keys.present().any(|key| object.text_of(&key).is_some())
+);
 
-/// The objects of the Rhino model that have certain user texts under keys. Stands for EleFront's Reference by Key and Value; that
-/// all pairs must be there is our reading.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd204",
-    name = "Reference by Key and Value",
-    nick = "RefKeyValue",
-    at = "EleFront/01 Reference"
-)]
-#[output("Geometry", "G", "The objects.", kind = Content)]
-fn reference_by_key_and_value(
-    context: &Context<'_>,
-    /// The keys.
-    #[port("Key", "K")]
-    keys: List<Arc<str>>,
-    /// The text under each; `*` stands for any.
-    #[port("Value", "V")]
-    values: List<Arc<str>>,
-) -> Result<Vec<Value>, Message> {
-    let pairs = pairs(&keys, &values)?;
-    objects(context, |object| has(object, &pairs))
-}
+reference!(
+    /// The objects of the Rhino model that have certain user texts under keys. Stands for EleFront's Reference by Key and Value; that
+    /// all pairs must be there is our reading.
+    reference_by_key_and_value, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd204", "Reference by Key and Value", "RefKeyValue",
+    [
+        /// The keys.
+        "Key", "K", keys: Arc<str>;
+        /// The text under each; `*` stands for any.
+        "Value", "V", values: Arc<str>;
+    ],
+    has_all(pairs(&keys, &values)?)
+);
 
-/// The objects of the Rhino model that were baked under some names. `*` stands for any text, `?` for one character; capitals do not
-/// matter. Stands for EleFront's Reference by BakeName; that the name is the user text `BakeName` is our reading.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd20c",
-    name = "Reference by BakeName",
-    nick = "RefBakeName",
-    at = "EleFront/01 Reference"
-)]
-#[output("Geometry", "G", "The objects.", kind = Content)]
-fn reference_by_bake_name(
-    context: &Context<'_>,
-    /// The names.
-    #[port("BakeName", "N")]
-    names: List<Arc<str>>,
-) -> Result<Vec<Value>, Message> {
-    objects(context, |object| object.text_of(BAKE_NAME).is_some_and(|name| any(&names, name)))
-}
+reference!(
+    /// The objects of the Rhino model that were baked under some names. `*` stands for any text, `?` for one character; capitals do not
+    /// matter. Stands for EleFront's Reference by BakeName; that the name is the user text `BakeName` is our reading.
+    reference_by_bake_name, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd20c", "Reference by BakeName", "RefBakeName",
+    [
+        /// The names.
+        "BakeName", "N", names: Arc<str>;
+    ],
+    |object| object.text_of(BAKE_NAME).is_some_and(|name| any(&names, name))
+);
+
+reference!(
+    /// The objects of the Rhino model that are seen in colours, their own or those of their layers. Stands for EleFront's Reference by
+    /// Color.
+    reference_by_color, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd216", "Reference by Color", "RefColor",
+    [
+        /// The colours.
+        "Color", "C", colours: Colour;
+    ],
+    |object| coloured(object, &colours)
+);
+
+reference!(
+    /// The objects of the Rhino model that are of types, which are those of Filter By Type. Stands for EleFront's Reference by Type.
+    reference_by_type, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd217", "Reference by Type", "RefType",
+    [
+        /// The types.
+        "Type", "T", types: Arc<str>;
+    ],
+    |object| object.geometry.as_ref().is_some_and(|value| of_types(value, &types))
+);
+
+reference!(
+    /// The objects of the Rhino model that have certain user texts under keys, all of them. Stands for EleFront's Reference by User
+    /// Atributes, an earlier name of Reference by Key and Value.
+    reference_by_user_attributes, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd218", "Reference by User Atributes", "RefUA",
+    [
+        /// The keys.
+        "Key", "K", keys: Arc<str>;
+        /// The text under each; `*` stands for any.
+        "Value", "V", values: Arc<str>;
+    ],
+    has_all(pairs(&keys, &values)?)
+);
 
 /// The name, layer and colour of an object of the Rhino model; null where geometry is of no object. Stands for EleFront's Get
 /// Rhino Attributes. Material and source file are not supported.
@@ -156,9 +169,8 @@ fn rhino_attributes(
         return (None, None, None);
     };
     let layer = object.layer.as_deref();
-    let colour = object.colour.or_else(|| layer.and_then(|layer| layer.colour));
     let name = Some(object.name.clone()).filter(|name| !name.is_empty());
-    (name, layer.map(|layer| layer.path.clone()), colour)
+    (name, layer.map(|layer| layer.path.clone()), colour_of(&object))
 }
 
 /// The user texts of an object of the Rhino model. Stands for EleFront's Get User Attributes.

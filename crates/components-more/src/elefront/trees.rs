@@ -1,9 +1,11 @@
 //! Trees that go along with another one. Public lists tell little of what each does: the rest is our reading, and its help says so.
 
+use std::collections::HashMap;
+
 use katydid_component::{Context, Each, ManyTrees, Message, component};
 use katydid_data::{Branch, Path, Tree, TreeBuilder, Value};
 
-use crate::branches::{Branches, items};
+use crate::branches::{Branches, items, refilled};
 
 /// Room for the items of all trees.
 fn room(context: &Context<'_>, first: &Tree, others: &ManyTrees<'_>) -> Result<(), Message> {
@@ -17,120 +19,112 @@ fn beside<'a>(tree: &'a Tree, path: &Path, place: usize) -> Option<Branch<'a>> {
     tree.branch(same.unwrap_or_else(|| place.min(tree.branch_count().saturating_sub(1))))
 }
 
-/// Gives each item of a tree a branch of its own, and each of these branches all that other trees have beside it. What is beside it is
-/// the branch of the same path, else the one at the same place, the last again and again. Stands for EleFront's Graft Parallel; what
-/// the other trees give is our reading.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd251",
-    name = "Graft Parallel",
-    nick = "GraftP",
-    at = "EleFront/07 Trees"
-)]
-#[output("Primary Data", "P", "The tree, an item a branch.", kind = Generic)]
-#[output("Secondary Data", "1", "For each item of the tree the branch beside it.", kind = Generic)]
-fn graft_parallel(
-    context: &Context<'_>,
-    /// The tree.
-    #[port("Primary Data", "P", kind = Generic)]
-    primary: &Tree,
-    /// A tree that goes along.
-    #[port("Secondary Data", "1", kind = Generic, optional)]
-    others: ManyTrees<'_>,
-) -> Result<(Tree, Each<Tree>), Message> {
-    room(context, primary, &others)?;
-    let mut grafted = TreeBuilder::<Value>::new();
-    for branch in primary.branches() {
-        for (place, item) in branch.iter().enumerate() {
-            grafted.branch(branch.path().child(place));
-            grafted.push(item);
+/// A component that takes a tree and others that go along with it, and gives as many.
+macro_rules! parallel {
+    (
+        $(#[$help:meta])* $function:ident, $guid:literal, $name:literal, $nick:literal,
+        $(#[$told:meta])* $first:literal, $(#[$others_told:meta])*
+        [$out:literal, $short:literal, $first_help:literal], $others_help:literal,
+        $made:expr
+    ) => {
+        $(#[$help])*
+        #[component($guid, name = $name, nick = $nick, at = "EleFront/07 Trees")]
+        #[output($out, $short, $first_help, kind = Generic)]
+        #[output("Secondary Data", "1", $others_help, kind = Generic)]
+        fn $function(
+            context: &Context<'_>,
+            $(#[$told])*
+            #[port($first, $short, kind = Generic)]
+            primary: &Tree,
+            $(#[$others_told])*
+            #[port("Secondary Data", "1", kind = Generic, optional)]
+            others: ManyTrees<'_>,
+        ) -> Result<(Tree, Each<Tree>), Message> {
+            room(context, primary, &others)?;
+            let made: fn(&Context<'_>, &Tree, &[&Tree]) -> Result<(Tree, Vec<Tree>), Message> = $made;
+            let (primary, others) = made(context, primary, &others)?;
+            Ok((primary, Each(others)))
         }
-    }
-    let along = |tree: &&Tree| -> Result<Tree, Message> {
-        let mut made = TreeBuilder::<Value>::new();
-        for (at, branch) in primary.branches().enumerate() {
-            let Some(other) = beside(tree, branch.path(), at) else { continue };
-            context.items(other.len().saturating_mul(branch.len()))?;
-            for place in 0..branch.len() {
-                context.check()?;
-                made.branch(branch.path().child(place));
-                other.iter().for_each(|item| made.push(item));
+    };
+}
+
+parallel!(
+    /// Gives each item of a tree a branch of its own, and each of these branches all that other trees have beside it. What is beside it is
+    /// the branch of the same path, else the one at the same place, the last again and again. Stands for EleFront's Graft Parallel; what
+    /// the other trees give is our reading.
+    graft_parallel, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd251", "Graft Parallel", "GraftP",
+    /// The tree.
+    "Primary Data",
+    /// A tree that goes along.
+    ["Primary Data", "P", "The tree, an item a branch."], "For each item of the tree the branch beside it.",
+    |context, primary, others| {
+        let mut grafted = TreeBuilder::<Value>::new();
+        for branch in primary.branches() {
+            for (place, item) in branch.iter().enumerate() {
+                grafted.branch(branch.path().child(place));
+                grafted.push(item);
             }
         }
-        Ok(made.finish())
-    };
-    let others = others.iter().map(along).collect::<Result<Vec<Tree>, Message>>()?;
-    Ok((grafted.finish(), Each(others)))
-}
+        let along = |tree: &&Tree| -> Result<Tree, Message> {
+            let mut made = TreeBuilder::<Value>::new();
+            for (at, branch) in primary.branches().enumerate() {
+                let Some(other) = beside(tree, branch.path(), at) else { continue };
+                context.items(other.len().saturating_mul(branch.len()))?;
+                for place in 0..branch.len() {
+                    context.check()?;
+                    made.branch(branch.path().child(place));
+                    other.iter().for_each(|item| made.push(item));
+                }
+            }
+            Ok(made.finish())
+        };
+        Ok((grafted.finish(), others.iter().map(along).collect::<Result<_, Message>>()?))
+    }
+);
 
-/// Leaves out the nulls of a tree, and of other trees what stands at the same places. A tree that goes along has the branches at the
-/// same places; what it has beyond them stays. Stands for EleFront's Clean Parallel.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd252",
-    name = "Clean Parallel",
-    nick = "CleanP",
-    at = "EleFront/07 Trees"
-)]
-#[output("Primary Data", "P", "The tree without nulls.", kind = Generic)]
-#[output("Secondary Data", "1", "What goes along.", kind = Generic)]
-fn clean_parallel(
-    context: &Context<'_>,
+parallel!(
+    /// Leaves out the nulls of a tree, and of other trees what stands at the same places. A tree that goes along has the branches at the
+    /// same places; what it has beyond them stays. Stands for EleFront's Clean Parallel.
+    clean_parallel, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd252", "Clean Parallel", "CleanP",
     /// The tree.
-    #[port("Primary Data", "P", kind = Generic)]
-    primary: &Tree,
+    "Primary Data",
     /// A tree that goes along.
-    #[port("Secondary Data", "1", kind = Generic, optional)]
-    others: ManyTrees<'_>,
-) -> Result<(Tree, Each<Tree>), Message> {
-    room(context, primary, &others)?;
-    let cleaned = |tree: &Tree| {
-        let mut made = TreeBuilder::<Value>::new();
-        for (at, branch) in tree.branches().enumerate() {
-            made.branch(branch.path().clone());
-            let guide = primary.branch(at);
-            let is_left_out = |place: usize| {
-                guide.as_ref().is_some_and(|guide| place < guide.len() && guide.get(place).is_none())
-            };
-            let kept = branch.iter().enumerate().filter(|(place, _)| !is_left_out(*place));
-            kept.for_each(|(_, item)| made.push(item));
-        }
-        made.finish()
-    };
-    Ok((cleaned(primary), Each(others.iter().map(|tree| cleaned(tree)).collect())))
-}
+    ["Primary Data", "P", "The tree without nulls."], "What goes along.",
+    |_, primary, others| {
+        let cleaned = |tree: &Tree| {
+            refilled(tree, |at, branch| {
+                let guide = primary.branch(at);
+                let is_left_out = move |place: usize| {
+                    guide.as_ref().is_some_and(|guide| place < guide.len() && guide.get(place).is_none())
+                };
+                let kept = branch.iter().enumerate().filter(move |(place, _)| !is_left_out(*place));
+                kept.map(|(_, item)| item)
+            })
+        };
+        Ok((cleaned(primary), others.iter().map(|tree| cleaned(tree)).collect()))
+    }
+);
 
-/// A tree as it is, and of other trees the branches with the same paths, empty ones where they have none. Stands for EleFront's Get
-/// Matching Branches; the choice of its menu to leave out empty branches is not supported.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd253",
-    name = "Get Matching Branches",
-    nick = "GetBrn",
-    at = "EleFront/07 Trees"
-)]
-#[output("Primary Data", "P", "The tree.", kind = Generic)]
-#[output("Secondary Data", "1", "The branches with its paths.", kind = Generic)]
-fn matching_branches(
-    context: &Context<'_>,
+parallel!(
+    /// A tree as it is, and of other trees the branches with the same paths, empty ones where they have none. Stands for EleFront's Get
+    /// Matching Branches; the choice of its menu to leave out empty branches is not supported.
+    matching_branches, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd253", "Get Matching Branches", "GetBrn",
     /// The tree.
-    #[port("Primary Data", "P", kind = Generic)]
-    primary: &Tree,
+    "Primary Data",
     /// A tree with other branches too.
-    #[port("Secondary Data", "1", kind = Generic, optional)]
-    others: ManyTrees<'_>,
-) -> Result<(Tree, Each<Tree>), Message> {
-    room(context, primary, &others)?;
-    let of = |tree: &&Tree| {
-        let known: std::collections::HashMap<&Path, usize> =
-            tree.paths().iter().enumerate().map(|(place, path)| (path, place)).collect();
-        let mut made = TreeBuilder::<Value>::new();
-        for path in primary.paths() {
-            made.branch(path.clone());
-            let found = known.get(path).and_then(|place| tree.branch(*place));
-            found.into_iter().for_each(|branch| branch.iter().for_each(|item| made.push(item)));
-        }
-        made.finish()
-    };
-    Ok((primary.clone(), Each(others.iter().map(of).collect())))
-}
+    ["Primary Data", "P", "The tree."], "The branches with its paths.",
+    |_, primary, others| {
+        let of = |tree: &&Tree| {
+            let known: HashMap<&Path, usize> =
+                tree.paths().iter().enumerate().map(|(place, path)| (path, place)).collect();
+            refilled(primary, |_, branch| {
+                let found = known.get(branch.path()).and_then(|place| tree.branch(*place));
+                found.into_iter().flat_map(|branch| branch.iter())
+            })
+        };
+        Ok((primary.clone(), others.iter().map(of).collect()))
+    }
+);
 
 /// Puts each item of a tree at a path of its own, in the order in which they come; paths that are asked for are there even without
 /// items. Stands for EleFront's Create Tree.
@@ -211,98 +205,59 @@ fn shift_to_depth(
     }
 }
 
-/// Cuts the paths of trees to as many numbers as the first path of a guide tree has. Stands for EleFront's ShiftMatch; that paths which
-/// are shorter stay is our reading.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd256",
-    name = "ShiftMatch",
-    nick = "ShiftM",
-    at = "EleFront/07 Trees"
-)]
-#[output("Guide Tree", "G", "The guide tree.", kind = Generic)]
-#[output("Secondary Data", "1", "The tree with paths of its depth.", kind = Generic)]
-fn shift_match(
-    context: &Context<'_>,
+parallel!(
+    /// Cuts the paths of trees to as many numbers as the first path of a guide tree has. Stands for EleFront's ShiftMatch; that paths which
+    /// are shorter stay is our reading.
+    shift_match, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd256", "ShiftMatch", "ShiftM",
     /// The tree that has the depth.
-    #[port("Guide Tree", "G", kind = Generic)]
-    guide: &Tree,
+    "Guide Tree",
     /// A tree to shift.
-    #[port("Secondary Data", "1", kind = Generic, optional)]
-    others: ManyTrees<'_>,
-) -> Result<(Tree, Each<Tree>), Message> {
-    room(context, guide, &others)?;
-    let depth = guide.paths().first().map_or(1, |path| path.len().max(1));
-    Ok((guide.clone(), Each(others.iter().map(|tree| shifted(tree, depth)).collect())))
-}
+    ["Guide Tree", "G", "The guide tree."], "The tree with paths of its depth.",
+    |_, guide, others| {
+        let depth = guide.paths().first().map_or(1, |path| path.len().max(1));
+        Ok((guide.clone(), others.iter().map(|tree| shifted(tree, depth)).collect()))
+    }
+);
 
-/// Cuts the branches of trees to the shortest among them: the first branches together, then the second ones, and so on. Where a tree
-/// has no more branches, it has an empty one. Stands for EleFront's Shortest List Clean.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd257",
-    name = "Shortest List Clean",
-    nick = "Shortest",
-    at = "EleFront/07 Trees"
-)]
-#[output("Primary Data", "P", "The tree, cut.", kind = Generic)]
-#[output("Secondary Data", "1", "Another one, cut.", kind = Generic)]
-fn shortest_list(
-    context: &Context<'_>,
+parallel!(
+    /// Cuts the branches of trees to the shortest among them: the first branches together, then the second ones, and so on. Where a tree
+    /// has no more branches, it has an empty one. Stands for EleFront's Shortest List Clean.
+    shortest_list, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd257", "Shortest List Clean", "Shortest",
     /// The tree.
-    #[port("Primary Data", "P", kind = Generic)]
-    primary: &Tree,
+    "Primary Data",
     /// A tree that goes along.
-    #[port("Secondary Data", "1", kind = Generic, optional)]
-    others: ManyTrees<'_>,
-) -> Result<(Tree, Each<Tree>), Message> {
-    room(context, primary, &others)?;
-    let length = |tree: &Tree, place: usize| tree.branch(place).map_or(0, |branch| branch.len());
-    let shortest = |place: usize| {
-        let others = others.iter().map(|tree| length(tree, place));
-        others.fold(length(primary, place), usize::min)
-    };
-    let cut = |tree: &Tree| {
-        let mut made = TreeBuilder::<Value>::new();
-        for (place, branch) in tree.branches().enumerate() {
-            made.branch(branch.path().clone());
-            branch.iter().take(shortest(place)).for_each(|item| made.push(item));
-        }
-        made.finish()
-    };
-    Ok((cut(primary), Each(others.iter().map(|tree| cut(tree)).collect())))
-}
+    ["Primary Data", "P", "The tree, cut."], "Another one, cut.",
+    |_, primary, others| {
+        let length = |tree: &Tree, place: usize| tree.branch(place).map_or(0, |branch| branch.len());
+        let shortest = |place: usize| {
+            let others = others.iter().map(|tree| length(tree, place));
+            others.fold(length(primary, place), usize::min)
+        };
+        let cut = |tree: &Tree| refilled(tree, |place, branch| branch.iter().take(shortest(place)));
+        Ok((cut(primary), others.iter().map(|tree| cut(tree)).collect()))
+    }
+);
 
-/// Repeats items so that they have the structure of a tree: the first item fills the first branch, the second one the second branch,
-/// and so on, the last again and again. Stands for EleFront's Duplicate Data Match; that an item is for a branch is our reading.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd258",
-    name = "Duplicate Data Match",
-    nick = "Dup",
-    at = "EleFront/07 Trees"
-)]
-#[output("Source Data", "S", "The tree.", kind = Generic)]
-#[output("Secondary Data", "1", "The items in its structure.", kind = Generic)]
-fn duplicate_data(
-    context: &Context<'_>,
+parallel!(
+    /// Repeats items so that they have the structure of a tree: the first item fills the first branch, the second one the second branch,
+    /// and so on, the last again and again. Stands for EleFront's Duplicate Data Match; that an item is for a branch is our reading.
+    duplicate_data, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd258", "Duplicate Data Match", "Dup",
     /// The tree.
-    #[port("Source Data Tree", "S", kind = Generic)]
-    source: &Tree,
+    "Source Data Tree",
     /// Items, one for each branch of the tree.
-    #[port("Secondary Data", "1", kind = Generic, optional)]
-    others: ManyTrees<'_>,
-) -> Result<(Tree, Each<Tree>), Message> {
-    context.items(source.item_count().saturating_mul(others.len().saturating_add(1)))?;
-    let filled = |tree: &&Tree| {
-        let Some(last) = tree.item_count().checked_sub(1) else { return Tree::empty() };
-        let mut made = TreeBuilder::<Value>::new();
-        for (place, branch) in source.branches().enumerate() {
-            made.branch(branch.path().clone());
-            let item = tree.column().get(place.min(last));
-            (0..branch.len()).for_each(|_| made.push(item.clone()));
-        }
-        made.finish()
-    };
-    Ok((source.clone(), Each(others.iter().map(filled).collect())))
-}
+    ["Source Data", "S", "The tree."], "The items in its structure.",
+    |context, source, others| {
+        context.items(source.item_count().saturating_mul(others.len().saturating_add(1)))?;
+        let filled = |tree: &&Tree| {
+            let Some(last) = tree.item_count().checked_sub(1) else { return Tree::empty() };
+            refilled(source, |place, branch| {
+                let item = tree.column().get(place.min(last));
+                std::iter::repeat_n(item, branch.len())
+            })
+        };
+        Ok((source.clone(), others.iter().map(filled).collect()))
+    }
+);
 
 #[cfg(test)]
 mod tests {

@@ -13,6 +13,8 @@ mod tests;
 mod xml_read;
 mod xml_write;
 
+pub(crate) use xml_read::broken;
+
 use katydid_component::parts::{Uuid, inventory};
 use katydid_component::registry::Unsupported;
 

@@ -145,7 +145,7 @@ impl<'a> Parts<'a> {
     }
 }
 
-fn broken(why: &str) -> Message {
+pub(crate) fn broken(why: &str) -> Message {
     Message::error(format!("The XML is broken: {why}"))
 }
 

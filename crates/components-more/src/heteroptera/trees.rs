@@ -101,57 +101,43 @@ fn path(place: usize) -> Path {
     Path::from([i32::try_from(place).unwrap_or(i32::MAX)])
 }
 
-/// Divides a domain into parts, and puts the place of each value into the branch of the part that it lies in. Stands for Heteroptera's
-/// Allocate By Value; data that it moves along, and "Preserve structure" of its menu, are not supported: List Item with the places
-/// gives the data.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd413",
-    name = "Allocate By Value",
-    nick = "Value-Allocator",
-    at = "Heteroptera/Utilities"
-)]
-#[output("Intervals", "I", "The parts.")]
-#[output("Index Tree", "i", "A branch for each part: the places of the values in it.", kind = Integer)]
-fn allocate_by_value(
-    context: &Context<'_>,
-    /// The number of parts, at least 1.
-    #[port("Number", "N", default = 10)]
-    number: i32,
-    /// The domain; without one that of the values.
-    #[port("Domain", "D", optional)]
-    domain: Option<Interval>,
-    /// The values, one branch after the other.
-    #[port("Value", "V", kind = Number)]
-    values: &Tree,
-) -> Result<(Vec<Interval>, Tree), Message> {
-    allocated(context, number, domain, values)
+/// The two components are one, under two names.
+macro_rules! allocate {
+    ($(#[$help:meta])* $function:ident, $guid:literal, $name:literal, $nick:literal) => {
+        $(#[$help])*
+        #[component($guid, name = $name, nick = $nick, at = "Heteroptera/Utilities")]
+        #[output("Intervals", "I", "The parts.")]
+        #[output("Index Tree", "i", "A branch for each part: the places of the values in it.", kind = Integer)]
+        fn $function(
+            context: &Context<'_>,
+            /// The number of parts, at least 1.
+            #[port("Number", "N", default = 10)]
+            number: i32,
+            /// The domain; without one that of the values.
+            #[port("Domain", "D", optional)]
+            domain: Option<Interval>,
+            /// The values, one branch after the other.
+            #[port("Value", "V", kind = Number)]
+            values: &Tree,
+        ) -> Result<(Vec<Interval>, Tree), Message> {
+            allocated(context, number, domain, values)
+        }
+    };
 }
 
-/// Divides a domain into parts, and puts the place of each value into the branch of the part that it lies in. Stands for Heteroptera's
-/// Allocate By Domain; data that it moves along, and "Preserve structure" of its menu, are not supported: List Item with the places
-/// gives the data.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd414",
-    name = "Allocate By Domain",
-    nick = "Domain-Allocator",
-    at = "Heteroptera/Utilities"
-)]
-#[output("Intervals", "I", "The parts.")]
-#[output("Index Tree", "i", "A branch for each part: the places of the values in it.", kind = Integer)]
-fn allocate_by_domain(
-    context: &Context<'_>,
-    /// The number of parts, at least 1.
-    #[port("Number", "N", default = 10)]
-    number: i32,
-    /// The domain; without one that of the values.
-    #[port("Domain", "D", optional)]
-    domain: Option<Interval>,
-    /// The values, one branch after the other.
-    #[port("Value", "V", kind = Number)]
-    values: &Tree,
-) -> Result<(Vec<Interval>, Tree), Message> {
-    allocated(context, number, domain, values)
-}
+allocate!(
+    /// Divides a domain into parts, and puts the place of each value into the branch of the part that it lies in. Stands for Heteroptera's
+    /// Allocate By Value; data that it moves along, and "Preserve structure" of its menu, are not supported: List Item with the places
+    /// gives the data.
+    allocate_by_value, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd413", "Allocate By Value", "Value-Allocator"
+);
+
+allocate!(
+    /// Divides a domain into parts, and puts the place of each value into the branch of the part that it lies in. Stands for Heteroptera's
+    /// Allocate By Domain; data that it moves along, and "Preserve structure" of its menu, are not supported: List Item with the places
+    /// gives the data.
+    allocate_by_domain, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd414", "Allocate By Domain", "Domain-Allocator"
+);
 
 /// The different keys of a list, in the order in which they are met. Stands for Heteroptera's Allocate By Keys, whose branches have them
 /// as names; data that it moves along, and "Preserve structure" of its menu, are not supported.

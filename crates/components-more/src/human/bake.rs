@@ -4,6 +4,7 @@ use katydid_component::{Baker, component};
 use katydid_data::cast::Rules;
 use katydid_data::{Tree, Value};
 
+use crate::elefront::modified;
 use crate::model_objects::{is_true, pairs};
 
 katydid_component::parts::inventory::submit! {
@@ -42,6 +43,31 @@ fn bake(
 ) {
 }
 
+katydid_component::parts::inventory::submit! {
+    Baker {
+        component: katydid_component::parts::Uuid::from_u128(0x6b1c7c1e_0d4e_4e3a_9d5c_3f0a5a6fd305),
+        objects: modified,
+    }
+}
+
+/// Objects with their attributes changed: where the new ones say nothing, the old ones stay. The model that was read stays as it is;
+/// `katydid run -o MODEL.3dm` saves the changed objects, as what Bake Geometry bakes. Stands for Human's Modify Object Attributes.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd305",
+    name = "Modify Object Attributes",
+    nick = "ModAtts",
+    at = "Human/Document Modifications"
+)]
+fn modify_attributes(
+    /// The objects.
+    #[port("Objects", "O", kind = Generic)]
+    _objects: &Tree,
+    /// The new attributes of each.
+    #[port("Attributes", "A", kind = Generic, optional)]
+    _attributes: &Tree,
+) {
+}
+
 #[cfg(test)]
 mod tests {
     use katydid_component::{baker, registry};
@@ -66,5 +92,17 @@ mod tests {
         let without = [Tree::item(Value::Boolean(true)), points, Tree::empty()];
         assert_eq!((baker.objects)(&without, &Default::default()).len(), 3);
         assert!((baker.objects)(&[], &Default::default()).is_empty());
+    }
+
+    #[test]
+    fn attributes_of_objects_are_changed() {
+        let baker = baker(registry::by_name("Modify Object Attributes").unwrap().guid).unwrap();
+        let mut wall = ModelObject::new(Value::from(Point3::ORIGIN));
+        wall.set_text("height", "3");
+        let new = ModelObject { name: "north".into(), ..ModelObject::default() };
+        let inputs = [Tree::item(Value::from(wall)), Tree::item(Value::from(new))];
+        let changed = own_object(&(baker.objects)(&inputs, &Default::default())[0]).unwrap();
+        assert_eq!((&*changed.name, changed.user_text.len()), ("north", 1));
+        assert!((baker.objects)(&[inputs[0].clone(), Tree::empty()], &Default::default()).is_empty());
     }
 }

@@ -9,7 +9,7 @@ use katydid_geometry::{Box3, Brep, Curve, Interval, Plane, Point3, Vector3, Xfor
 use crate::annotations::{hatch, writing};
 
 /// The plane regions that closed curves bound, those inside others as holes.
-fn regions(context: &Context<'_>, curves: &[Curve]) -> Result<Vec<Value>, Message> {
+pub(crate) fn regions(context: &Context<'_>, curves: &[Curve]) -> Result<Vec<Value>, Message> {
     let found = Brep::planar_breps(curves, &context.tolerance())?;
     if !found.left.is_empty() {
         let count = found.left.len();

@@ -22,6 +22,25 @@ fn room(context: &Context<'_>, lists: &ManyLists<'_, Value>) -> Result<(), Messa
     context.items(lists.iter().map(List::len).fold(0, usize::saturating_add))
 }
 
+/// The items of several lists at whose place a pattern is true, which starts again where it ends.
+///
+/// # Errors
+/// The pattern is empty.
+pub(crate) fn by_pattern(
+    context: &Context<'_>,
+    pattern: &List<'_, bool>,
+    lists: &ManyLists<'_, Value>,
+) -> Result<Each<Vec<Option<Value>>>, Message> {
+    room(context, lists)?;
+    if pattern.is_empty() {
+        return Err(Message::error("The pattern is empty"));
+    }
+    let longest = lists.iter().map(List::len).max().unwrap_or(0);
+    let pattern: Vec<bool> = pattern.iter().map(|passes| passes.unwrap_or(false)).collect();
+    let passes: Vec<bool> = pattern.iter().copied().cycle().take(longest).collect();
+    Ok(Each(passed(lists, &passes)))
+}
+
 /// The items of several lists at whose place a pattern is true. A pattern that is shorter than the longest list starts again, which
 /// is our reading; null counts as false. Stands for Human's Dispatch Multiple.
 #[component(
@@ -40,14 +59,7 @@ fn dispatch_multiple(
     #[port("List 0", "0", optional)]
     lists: ManyLists<'_, Value>,
 ) -> Result<Each<Vec<Option<Value>>>, Message> {
-    room(context, &lists)?;
-    if pattern.is_empty() {
-        return Err(Message::error("The pattern is empty"));
-    }
-    let longest = lists.iter().map(List::len).max().unwrap_or(0);
-    let pattern: Vec<bool> = pattern.iter().map(|passes| passes.unwrap_or(false)).collect();
-    let passes: Vec<bool> = pattern.iter().copied().cycle().take(longest).collect();
-    Ok(Each(passed(&lists, &passes)))
+    by_pattern(context, &pattern, &lists)
 }
 
 /// The items of several lists at whose place a guide list has one of some texts. Capitals matter, which is our reading. Stands for

@@ -12,3 +12,6 @@ mod lists;
 mod screen;
 mod tables;
 mod units;
+
+pub(crate) use drawing::regions;
+pub(crate) use lists::by_pattern;

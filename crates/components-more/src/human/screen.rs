@@ -8,101 +8,116 @@ use katydid_geometry::{Curve, Mesh, Plane, Point3};
 
 /// What is drawn in where nothing is given; the plug-in's own colour is not known.
 const BLACK: Colour = Colour::rgb(0, 0, 0);
+/// The same for meshes.
+const GREY: Colour = Colour::rgb(150, 150, 150);
 
-/// Draws a curve, made larger about the origin and moved to a location. Stands for Human's Render Curve to Screen, which draws at a
-/// place of the screen: here the location is one in the model.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd341",
-    name = "Render Curve to Screen",
-    nick = "CrvToScreen",
-    at = "Human/Display"
-)]
-fn curve_to_screen(
-    /// What to draw, near the world's origin.
-    #[port("Curve", "Crv")]
-    _thing: Shared<Curve>,
-    /// Where it is drawn.
-    #[port("Location", "L", default = Point3::ORIGIN)]
-    _location: Point3,
-    /// What its size is multiplied by.
-    #[port("Scale Factor", "S", default = 1.0)]
-    _scale: f64,
-    /// The colour.
-    #[port("Color", "C", default = BLACK)]
-    _colour: Colour,
-    /// The width of the line, in pixels.
-    #[port("Thickness", "T", default = 1)]
-    _size: i32,
-    /// How far in front it is; not supported.
-    #[port("Depth", "D", default = 0.5)]
-    _depth: f64,
-    /// Whether it keeps its direction on the screen; not supported.
-    #[port("Fixed", "F", default = true)]
-    _fixed: bool,
-) {
+/// What is drawn at a location: a component without outputs.
+macro_rules! to_screen {
+    (
+        $(#[$help:meta])* $function:ident, $guid:literal, $name:literal, $nick:literal,
+        $port:literal, $short:literal, $thing:ty, $(#[$told:meta])* colour: $colour:expr,
+        [$($(#[$($attribute:tt)*])+ $size:ident: $kind:ty)?]
+    ) => {
+        $(#[$help])*
+        #[component($guid, name = $name, nick = $nick, at = "Human/Display")]
+        fn $function(
+            /// What to draw, near the world's origin.
+            #[port($port, $short)]
+            _thing: $thing,
+            /// Where it is drawn.
+            #[port("Location", "L", default = Point3::ORIGIN)]
+            _location: Point3,
+            /// What its size is multiplied by.
+            #[port("Scale Factor", "S", default = 1.0)]
+            _scale: f64,
+            $(#[$told])*
+            #[port("Color", "C", default = $colour)]
+            _colour: Colour,
+            $($(#[$($attribute)*])+ $size: $kind,)?
+            /// How far in front it is; not supported.
+            #[port("Depth", "D", default = 0.5)]
+            _depth: f64,
+            /// Whether it keeps its direction on the screen; not supported.
+            #[port("Fixed", "F", default = true)]
+            _fixed: bool,
+        ) {
+        }
+    };
 }
 
-/// Draws a point, moved to a location. Stands for Human's Render Point to Screen, which draws at a place of the screen: here the
-/// location is one in the model.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd342",
-    name = "Render Point to Screen",
-    nick = "PtToScreen",
-    at = "Human/Display"
-)]
-fn point_to_screen(
-    /// What to draw, near the world's origin.
-    #[port("Point", "P")]
-    _thing: Point3,
-    /// Where it is drawn.
-    #[port("Location", "L", default = Point3::ORIGIN)]
-    _location: Point3,
-    /// What its size is multiplied by.
-    #[port("Scale Factor", "S", default = 1.0)]
-    _scale: f64,
+to_screen!(
+    /// Draws a curve, made larger about the origin and moved to a location. Stands for Human's Render Curve to Screen, which draws at a
+    /// place of the screen: here the location is one in the model.
+    curve_to_screen, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd341", "Render Curve to Screen", "CrvToScreen",
+    "Curve", "Crv", Shared<Curve>,
     /// The colour.
-    #[port("Color", "C", default = BLACK)]
-    _colour: Colour,
-    /// The size on the screen; not supported.
-    #[port("Radius", "R", default = 1)]
-    _size: i32,
-    /// How far in front it is; not supported.
-    #[port("Depth", "D", default = 0.5)]
-    _depth: f64,
-    /// Whether it keeps its direction on the screen; not supported.
-    #[port("Fixed", "F", default = true)]
-    _fixed: bool,
-) {
-}
+    colour: BLACK,
+    [
+        /// The width of the line, in pixels.
+        #[port("Thickness", "T", default = 1)]
+        _size: i32
+    ]
+);
 
-/// Draws a mesh, made larger about the origin and moved to a location. Stands for Human's Render Mesh to Screen, which draws at a place
-/// of the screen: here the location is one in the model.
+to_screen!(
+    /// Draws a point, moved to a location. Stands for Human's Render Point to Screen, which draws at a place of the screen: here the
+    /// location is one in the model.
+    point_to_screen, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd342", "Render Point to Screen", "PtToScreen",
+    "Point", "P", Point3,
+    /// The colour.
+    colour: BLACK,
+    [
+        /// The size on the screen; not supported.
+        #[port("Radius", "R", default = 1)]
+        _size: i32
+    ]
+);
+
+to_screen!(
+    /// Draws a mesh, made larger about the origin and moved to a location. Stands for Human's Render Mesh to Screen, which draws at a place
+    /// of the screen: here the location is one in the model.
+    mesh_to_screen, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd343", "Render Mesh to Screen", "MeshToScreen",
+    "Mesh", "M", Shared<Mesh>,
+    /// The colour, where the mesh has none of its own.
+    colour: GREY,
+    []
+);
+
+/// Draws a mesh, made larger about the origin and moved to a location. Stands for Human's Screen-Oriented Mesh, which turns it with the
+/// view: here it keeps its directions in the model. Sizes on the screen and pictures on the mesh are not supported.
 #[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd343",
-    name = "Render Mesh to Screen",
-    nick = "MeshToScreen",
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd347",
+    name = "Screen-Oriented Mesh",
+    nick = "ScreenMesh",
     at = "Human/Display"
 )]
-fn mesh_to_screen(
+fn screen_oriented_mesh(
+    context: &Context<'_>,
     /// What to draw, near the world's origin.
     #[port("Mesh", "M")]
-    _mesh: &Mesh,
+    _mesh: Shared<Mesh>,
     /// Where it is drawn.
     #[port("Location", "L", default = Point3::ORIGIN)]
     _location: Point3,
     /// What its size is multiplied by.
-    #[port("Scale Factor", "S", default = 1.0)]
+    #[port("Size Factor", "S", default = 1.0)]
     _scale: f64,
     /// The colour, where the mesh has none of its own.
-    #[port("Color", "C", default = Colour::rgb(150, 150, 150))]
+    #[port("Color", "C", default = GREY)]
     _colour: Colour,
     /// How far in front it is; not supported.
-    #[port("Depth", "D", default = 0.5)]
-    _depth: f64,
-    /// Whether it keeps its direction on the screen; not supported.
-    #[port("Fixed", "F", default = true)]
-    _fixed: bool,
+    #[port("Depth", "D", optional)]
+    _depth: Option<f64>,
+    /// Whether the size is one in the model, as it always is here.
+    #[port("Absolute", "A", default = true)]
+    _absolute: bool,
+    /// A picture on the mesh; not supported.
+    #[port("Bitmap Texture", "T", optional)]
+    picture: Option<Shared<str>>,
 ) {
+    if picture.is_some() {
+        context.tell(Message::remark("Pictures on meshes are not supported: it has its colour only"));
+    }
 }
 
 /// Writes a text that faces the viewer. Stands for Human's Render Text to Screen, which writes at a place of the screen: here the
@@ -225,6 +240,16 @@ mod tests {
             let out = Trial::of(name).item("{1, 2, 3}").run();
             assert!(out.outputs.is_empty() && out.messages.is_empty(), "{name}");
         }
+    }
+
+    #[test]
+    fn a_mesh_is_drawn_without_pictures() {
+        let mesh = katydid_geometry::Mesh::new(vec![katydid_geometry::Point3::ORIGIN], Vec::new()).unwrap();
+        let trial = || Trial::of("Screen-Oriented Mesh").item(mesh.clone());
+        let out = trial().run();
+        assert!(out.outputs.is_empty() && out.messages.is_empty());
+        let trial = trial().default().default().default().default().default();
+        assert!(trial.item("brick.png").message().starts_with("Pictures on meshes are not supported"));
     }
 
     #[test]

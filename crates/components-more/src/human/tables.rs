@@ -3,9 +3,10 @@
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
-use katydid_data::{Colour, Material, Value};
+use katydid_data::{Colour, Material, Path, Tree, TreeBuilder, Value};
 
 use crate::elefront::{model, objects};
+use crate::model_objects::is_true;
 use crate::wildcard::takes;
 
 /// The layers of the Rhino model. The model is the file given with `--model`. Stands for Human's Layer Table; linetypes, materials and
@@ -107,6 +108,38 @@ fn material_table(
     ))
 }
 
+/// The linetypes of the Rhino model. The model is the file given with `--model`. Stands for Human's Linetype Table; that gaps are
+/// negative is our reading.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd334",
+    name = "Linetype Table",
+    nick = "LT Table",
+    at = "Human/Document Info"
+)]
+#[output("Linetypes", "LT", "The name of each linetype.", kind = Text)]
+#[output(
+    "Linetype Pattern",
+    "pat",
+    "A branch for each: its dashes, and its gaps as negative numbers, in millimetres; none where the line is continuous.",
+    kind = Number
+)]
+fn linetype_table(
+    context: &Context<'_>,
+    /// Whether to read the linetypes.
+    #[port("Update", "U", kind = Boolean, default = true)]
+    update: &Tree,
+) -> Result<(Tree, Tree), Message> {
+    let linetypes = if is_true(Some(update)) { model(context)?.linetypes() } else { &[] };
+    context.items(linetypes.iter().map(|linetype| linetype.segments.len() + 1).sum())?;
+    let mut patterns = TreeBuilder::<f64>::new();
+    for (path, linetype) in (0..).zip(linetypes) {
+        patterns.branch(Path::from([path]));
+        linetype.segments.iter().for_each(|length| patterns.push(Some(*length)));
+    }
+    let names = linetypes.iter().map(|linetype| linetype.name.clone()).collect();
+    Ok((Tree::list::<Shared<str>>(names), patterns.finish()))
+}
+
 /// The objects of the Rhino model on a layer and of a name. `*` stands for any text, `?` for one character; capitals do not matter,
 /// and a layer is told by its path or its own name, which is our reading. The model is the file given with `--model`. Stands for
 /// Human's Dynamic Geometry Pipeline; the types chosen in its menu are not supported.
@@ -137,7 +170,7 @@ fn dynamic_pipeline(
 
 #[cfg(test)]
 mod tests {
-    use katydid_3dm::{Attributes, Layer, Material, Model, ModelObject, Object};
+    use katydid_3dm::{Attributes, Layer, Linetype, Material, Model, ModelObject, Object};
     use katydid_component::RhinoModel;
     use katydid_component::testing::{Trial, texts};
     use katydid_geometry::Point3;
@@ -146,7 +179,8 @@ mod tests {
         let walls = Layer { colour: [10, 20, 30, 255], ..Layer::new("Walls") };
         let layers = vec![walls, Layer { visible: false, ..Layer::new("Roof") }];
         let paint = Material { transparency: 0.25, ..Material::new("Paint", [200, 30, 30, 255]) };
-        let mut model = Model { layers, materials: vec![paint], ..Model::default() };
+        let linetypes = vec![Linetype::new("Straight", &[]), Linetype::new("Dashed", &[4.0, 2.0])];
+        let mut model = Model { layers, linetypes, materials: vec![paint], ..Model::default() };
         for (x, name, layer) in [(1.0, "north", 0), (2.0, "south", 0), (3.0, "north", 1)] {
             let attributes = Attributes { name: name.into(), layer: Some(layer), ..Attributes::default() };
             let point = Object::Point(Point3::new(x, 0.0, 0.0));
@@ -175,6 +209,14 @@ mod tests {
     }
 
     #[test]
+    fn linetypes_of_the_model() {
+        let out = Trial::of("Linetype Table").model(model()).run().outputs;
+        assert_eq!(texts(&out[0]), ["{0}: Straight, Dashed"]);
+        assert_eq!(texts(&out[1]), ["{0}:", "{1}: 4, -2"]);
+        assert_eq!(Trial::of("Linetype Table").item(false).run().outputs[0].item_count(), 0);
+    }
+
+    #[test]
     fn objects_by_layer_and_name() {
         let count = |layer: &str, name: &str| {
             let found = Trial::of("Dynamic Geometry Pipeline").item(layer).item(name).model(model());
@@ -189,7 +231,7 @@ mod tests {
 
     #[test]
     fn without_a_model() {
-        for name in ["Layer Table", "Material Table", "Dynamic Geometry Pipeline"] {
+        for name in ["Layer Table", "Material Table", "Linetype Table", "Dynamic Geometry Pipeline"] {
             assert!(Trial::of(name).message().starts_with("Needs the Rhino model"), "{name}");
         }
     }

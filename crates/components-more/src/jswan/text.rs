@@ -9,7 +9,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// A value in JSON.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Json {
+pub(crate) enum Json {
     Null,
     Boolean(bool),
     Integer(i64),
@@ -22,11 +22,11 @@ pub(super) enum Json {
 impl Json {
     /// # Errors
     /// The text is no JSON, or nested more than 128 deep.
-    pub(super) fn parse(text: &str) -> Result<Self, serde_json::Error> {
+    pub(crate) fn parse(text: &str) -> Result<Self, serde_json::Error> {
         serde_json::from_str(text)
     }
 
-    pub(super) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         // No part of it can fail: keys are texts, and numbers that are not finite become null.
         serde_json::to_string(self).unwrap_or_default()
     }

@@ -8,6 +8,8 @@ use katydid_geometry::{Interval, Point3, Vector3};
 struct Pulls {
     distances: Vec<f64>,
     vectors: Vec<Vector3>,
+    /// The least and the greatest distance.
+    ends: (f64, f64),
 }
 
 impl Pulls {
@@ -24,7 +26,7 @@ impl Pulls {
         }
         context.items(targets.len().saturating_mul(3))?;
         let count = attractors.len() as f64;
-        let mut pulls = Self { distances: Vec::new(), vectors: Vec::new() };
+        let mut pulls = Self { distances: Vec::new(), vectors: Vec::new(), ends: (f64::INFINITY, 0.0) };
         for target in targets.present() {
             context.check()?;
             let distance = attractors.iter().map(|a| a.distance_to(target)).sum::<f64>() / count;
@@ -32,10 +34,17 @@ impl Pulls {
             if !distance.is_finite() || !vector.is_finite() {
                 return Err(Message::error("A point is not finite"));
             }
+            pulls.ends = (pulls.ends.0.min(distance), pulls.ends.1.max(distance));
             pulls.distances.push(distance);
             pulls.vectors.push(vector);
         }
         Ok(pulls)
+    }
+
+    /// Where a distance lies between the least, 0, and the greatest, 1.
+    fn share(&self, distance: f64) -> f64 {
+        let (least, most) = self.ends;
+        if most > least { (distance - least) / (most - least) } else { 0.0 }
     }
 
     /// The values with the vectors of that length, and the distances.
@@ -52,80 +61,69 @@ fn checked(domain: Interval) -> Result<Interval, Message> {
     if domain.is_finite() { Ok(domain) } else { Err(Message::error("The domain is not finite")) }
 }
 
-/// Values for points by how far they are from attractors: the nearest of all has the start of a domain, the farthest its end.
-/// Stands for LunchBox's Attractor; that the vectors lead to the attractors, with the values for lengths, is our reading.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1c51",
-    name = "Attractor",
-    nick = "Attract",
-    at = "LunchBox/Generate"
-)]
-#[output("Values", "Values", "The values, in the domain.")]
-#[output(
-    "Vectors",
-    "Vectors",
-    "Vectors towards the attractors as long as the values: the mean of the directions."
-)]
-#[output("Distances", "Distances", "The distances; with several attractors their mean.")]
-fn attractor(
-    context: &Context<'_>,
-    /// The attractors.
-    #[port("Attractor Points", "Attractors")]
-    attractors: List<Point3>,
-    /// The points that values are wanted for.
-    #[port("Target Points", "Targets")]
-    targets: List<Point3>,
-    /// The domain of the values.
-    #[port("Attractor Domain", "Domain", default = Interval::UNIT)]
-    domain: Interval,
-) -> Result<(Vec<f64>, Vec<Vector3>, Vec<f64>), Message> {
-    let (domain, pulls) = (checked(domain)?, Pulls::new(context, &attractors, &targets)?);
-    let least = pulls.distances.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = pulls.distances.iter().copied().fold(0.0, f64::max);
-    let part = |d: f64| if most > least { (d - least) / (most - least) } else { 0.0 };
-    let values = pulls.distances.iter().map(|d| domain.at(part(*d))).collect();
-    Ok(pulls.results(values))
+/// # Errors
+/// The frequency is not finite.
+fn finite(frequency: f64) -> Result<(), Message> {
+    if frequency.is_finite() { Ok(()) } else { Err(Message::error("The frequency is not finite")) }
 }
 
-/// Values for points that go up and down with the distance from attractors, as rings on water do. Stands for LunchBox's
-/// Attractor Wave; that the value is the sine of the frequency times the distance, carried from −1…1 to the domain, is our
-/// reading.
-#[component(
-    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1c52",
-    name = "Attractor Wave",
-    nick = "AttWave",
-    at = "LunchBox/Generate"
-)]
-#[output("Values", "Values", "The values, in the domain.")]
-#[output(
-    "Vectors",
-    "Vectors",
-    "Vectors towards the attractors as long as the values: the mean of the directions."
-)]
-#[output("Distances", "Distances", "The distances; with several attractors their mean.")]
-fn attractor_wave(
-    context: &Context<'_>,
-    /// The attractors.
-    #[port("Attractor Points", "Attractors")]
-    attractors: List<Point3>,
-    /// The points that values are wanted for.
-    #[port("Target Points", "Targets")]
-    targets: List<Point3>,
-    /// The domain of the values.
-    #[port("Attractor Domain", "Domain", default = Interval::UNIT)]
-    domain: Interval,
-    /// By how many radians the wave goes on in a unit of length.
-    #[port("Frequency", "Freq", default = 1.0)]
-    frequency: f64,
-) -> Result<(Vec<f64>, Vec<Vector3>, Vec<f64>), Message> {
-    if !frequency.is_finite() {
-        return Err(Message::error("The frequency is not finite"));
-    }
-    let (domain, pulls) = (checked(domain)?, Pulls::new(context, &attractors, &targets)?);
-    let value = |d: &f64| domain.at(0.5 + 0.5 * (frequency * d).sine());
-    let values = pulls.distances.iter().map(value).collect();
-    Ok(pulls.results(values))
+/// A component that gives values by the distances from attractors.
+macro_rules! attractor {
+    (
+        $(#[$help:meta])* $function:ident, $guid:literal, $name:literal, $nick:literal,
+        [$($(#[$($attribute:tt)*])+ $parameter:ident: $kind:ty)?], $parts:expr
+    ) => {
+        $(#[$help])*
+        #[component($guid, name = $name, nick = $nick, at = "LunchBox/Generate")]
+        #[output("Values", "Values", "The values, in the domain.")]
+        #[output(
+            "Vectors",
+            "Vectors",
+            "Vectors towards the attractors as long as the values: the mean of the directions."
+        )]
+        #[output("Distances", "Distances", "The distances; with several attractors their mean.")]
+        fn $function(
+            context: &Context<'_>,
+            /// The attractors.
+            #[port("Attractor Points", "Attractors")]
+            attractors: List<Point3>,
+            /// The points that values are wanted for.
+            #[port("Target Points", "Targets")]
+            targets: List<Point3>,
+            /// The domain of the values.
+            #[port("Attractor Domain", "Domain", default = Interval::UNIT)]
+            domain: Interval,
+            $($(#[$($attribute)*])+ $parameter: $kind,)?
+        ) -> Result<(Vec<f64>, Vec<Vector3>, Vec<f64>), Message> {
+            $(finite($parameter)?;)?
+            let (domain, pulls) = (checked(domain)?, Pulls::new(context, &attractors, &targets)?);
+            let parts = $parts;
+            let values = pulls.distances.iter().map(|d| domain.at(parts(&pulls, *d))).collect();
+            Ok(pulls.results(values))
+        }
+    };
 }
+
+attractor!(
+    /// Values for points by how far they are from attractors: the nearest of all has the start of a domain, the farthest its end.
+    /// Stands for LunchBox's Attractor; that the vectors lead to the attractors, with the values for lengths, is our reading.
+    attractor, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1c51", "Attractor", "Attract",
+    [],
+    Pulls::share
+);
+
+attractor!(
+    /// Values for points that go up and down with the distance from attractors, as rings on water do. Stands for LunchBox's
+    /// Attractor Wave; that the value is the sine of the frequency times the distance, carried from −1…1 to the domain, is our
+    /// reading.
+    attractor_wave, "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1c52", "Attractor Wave", "AttWave",
+    [
+        /// By how many radians the wave goes on in a unit of length.
+        #[port("Frequency", "Freq", default = 1.0)]
+        frequency: f64
+    ],
+    |_: &Pulls, distance: f64| 0.5 + 0.5 * (frequency * distance).sine()
+);
 
 #[cfg(test)]
 mod tests {

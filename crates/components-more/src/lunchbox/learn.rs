@@ -16,7 +16,7 @@ const DEPENDENT: f64 = 1e-10;
 ///
 /// # Errors
 /// An item is no finite number, or branches differ in length.
-fn observations(tree: &Tree, what: &str) -> Result<Vec<Vec<f64>>, Message> {
+pub(super) fn observations(tree: &Tree, what: &str) -> Result<Vec<Vec<f64>>, Message> {
     let mut rows: Vec<Vec<f64>> = Vec::with_capacity(tree.branch_count());
     for branch in tree.branches() {
         let numbers = branch.iter().map(|item| match item {
@@ -35,7 +35,7 @@ fn observations(tree: &Tree, what: &str) -> Result<Vec<Vec<f64>>, Message> {
     Ok(rows)
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
@@ -246,6 +246,43 @@ fn means(rows: &[Vec<f64>], labels: &[usize], centers: &[Vec<f64>]) -> Vec<Vec<f
     sums.into_iter().zip(centers).map(mean).collect()
 }
 
+/// The whole number that a tree begins with, or another one.
+pub(super) fn whole(tree: &Tree, otherwise: i32) -> i32 {
+    match tree.column().get(0) {
+        Some(Value::Integer(n)) => n,
+        _ => otherwise,
+    }
+}
+
+/// The number of the cluster of each observation, and the centres (S. Lloyd, 1982; begun by k-means++).
+///
+/// # Errors
+/// There cannot be so many clusters.
+pub(super) fn clusters(
+    context: &Context<'_>,
+    rows: &[Vec<f64>],
+    count: i32,
+    seed: i32,
+) -> Result<(Vec<usize>, Vec<Vec<f64>>), Message> {
+    let count = usize::try_from(count).ok().filter(|k| (1..=rows.len()).contains(k)).ok_or_else(|| {
+        Message::error(format!("{count} clusters of {} observations cannot be", rows.len()))
+    })?;
+    context.items(rows.len().saturating_mul(2))?;
+    let mut centers = seeds(rows, count, &mut Chance::new(seed));
+    let label = |centers: &[Vec<f64>]| rows.iter().map(|row| nearest(centers, row).0).collect::<Vec<usize>>();
+    let mut labels = label(&centers);
+    for _ in 0..ROUNDS {
+        context.check()?;
+        centers = means(rows, &labels, &centers);
+        let next = label(&centers);
+        if next == labels {
+            break;
+        }
+        labels = next;
+    }
+    Ok((labels, centers))
+}
+
 /// Sorts observations into clusters about centres, each the mean of its cluster (S. Lloyd, 1982; begun by k-means++). Stands for
 /// LunchBox's K-Means Clustering; the chance is our own, so that clusters have other numbers for the same seed. That each branch
 /// is an observation, or each number where there is one branch, and that the likelihood is minus half of the squared distance
@@ -266,33 +303,13 @@ fn k_means(
     inputs: &Tree,
     /// The number of clusters, at least 1.
     #[port("# of Clusters", "Clusters", kind = Integer, optional)]
-    clusters: &Tree,
+    count: &Tree,
     /// The seed.
     #[port("Random Seed", "seed", kind = Integer, optional)]
     seed: &Tree,
 ) -> Result<(Tree, Tree, Tree), Message> {
-    let whole = |tree: &Tree, otherwise: i32| match tree.column().get(0) {
-        Some(Value::Integer(n)) => n,
-        _ => otherwise,
-    };
     let rows = observations(inputs, "Inputs")?;
-    let count = whole(clusters, 3);
-    let count = usize::try_from(count).ok().filter(|k| (1..=rows.len()).contains(k)).ok_or_else(|| {
-        Message::error(format!("{count} clusters of {} observations cannot be", rows.len()))
-    })?;
-    context.items(rows.len().saturating_mul(2))?;
-    let mut centers = seeds(&rows, count, &mut Chance::new(whole(seed, 1)));
-    let label = |centers: &[Vec<f64>]| rows.iter().map(|row| nearest(centers, row).0).collect::<Vec<usize>>();
-    let mut labels = label(&centers);
-    for _ in 0..ROUNDS {
-        context.check()?;
-        centers = means(&rows, &labels, &centers);
-        let next = label(&centers);
-        if next == labels {
-            break;
-        }
-        labels = next;
-    }
+    let (labels, centers) = clusters(context, &rows, whole(count, 3), whole(seed, 1))?;
     let likelihood = rows.iter().map(|row| -0.5 * nearest(&centers, row).1).collect();
     let numbers = labels.iter().map(|k| i32::try_from(*k).unwrap_or(i32::MAX)).collect();
     let mut middles = TreeBuilder::<f64>::new();

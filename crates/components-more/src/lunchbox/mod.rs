@@ -1,6 +1,8 @@
 //! LunchBox: panels and structures on surfaces, surfaces by formulas, tools for lists, curves and meshes, and spreadsheets.
 
 mod attract;
+mod classify;
+mod convert;
 mod curves;
 mod forms;
 mod frame;
@@ -19,6 +21,8 @@ mod surfaces;
 #[cfg(test)]
 mod tests;
 mod truss;
+
+pub(crate) use solids::Solid;
 
 use std::sync::Arc as Shared;
 

@@ -14,7 +14,7 @@ const SAME: f64 = 1e-9;
 
 /// A regular solid about the origin. Its corners lie in the directions of the faces of its dual.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Solid {
+pub(crate) enum Solid {
     Tetrahedron,
     Cube,
     Octahedron,
@@ -64,7 +64,7 @@ impl Solid {
 
     /// The faces as rings of corners, counter-clockwise from outside, of the solid with corners at distance 1. A part of half
     /// of each edge is cut off at both ends.
-    fn rings(self, cut: f64) -> Vec<Vec<Vector3>> {
+    pub(crate) fn rings(self, cut: f64) -> Vec<Vec<Vector3>> {
         let unit = |v: Vector3| v.unitized().unwrap_or(Vector3::ZERO);
         let corners: Vec<Vector3> = self.corners().into_iter().map(unit).collect();
         let points = cut_corners(&corners, cut);

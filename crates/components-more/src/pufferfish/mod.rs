@@ -14,6 +14,7 @@ mod surfaces;
 #[cfg(test)]
 mod tests;
 mod tween;
+mod values;
 mod weights;
 
 /// More parts than this along one direction would be waited for too long.

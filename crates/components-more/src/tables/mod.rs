@@ -52,6 +52,7 @@ impl Which {
     }
 
     /// The place of the sheet among some names.
+    #[cfg(feature = "spreadsheets")]
     fn find(&self, names: &[String]) -> Result<usize, Message> {
         let found = match self {
             Self::Number(number) => usize::try_from(*number)

@@ -1,8 +1,6 @@
-use std::sync::Arc;
-
+use katydid_component::Files;
 use katydid_component::testing::Trial;
-use katydid_component::{Files, Outbox};
-use katydid_data::{DateTime, Path, Tree, TreeBuilder, Value};
+use katydid_data::Value;
 
 /// A folder with a file in it.
 fn folder(name: &str, bytes: &[u8]) -> (tempfile::TempDir, Files) {
@@ -60,6 +58,11 @@ fn cells_of_text_files_are_what_they_look_like() {
 
 #[cfg(feature = "spreadsheets")]
 mod excel {
+    use std::sync::Arc;
+
+    use katydid_component::Outbox;
+    use katydid_data::{DateTime, Path, Tree, TreeBuilder};
+
     use super::*;
 
     /// An .xlsx file of two sheets, as the writer makes it.

@@ -1,12 +1,15 @@
-//! Wb Define: pyramids, prisms and their like over regular polygons.
+//! Wb Define: pyramids, prisms and their like over regular polygons, and regular solids.
 
 use std::sync::Arc as Shared;
 
 use katydid_component::{Context, Message, component};
+use katydid_data::Value;
 use katydid_elementary::Elementary;
 use katydid_geometry::{Mesh, Plane, Point3, Vector3};
 
+use super::outlines;
 use super::tessellation::{Fill, fill};
+use crate::lunchbox::Solid;
 use crate::polygons::{Polygons, sides};
 
 /// The most sides of a base.
@@ -175,3 +178,57 @@ solid!(
         cap(body, ring, true, strategy);
     }
 );
+
+/// The faces of a regular solid about the origin of a plane, in its axes.
+///
+/// # Errors
+/// The radius is not above 0.
+fn regular(solid: Solid, plane: &Plane, radius: f64) -> Result<Polygons, Message> {
+    if !(radius > 0.0 && radius.is_finite()) {
+        return Err(Message::error(format!("The radius is {radius}: it must be above 0")));
+    }
+    let at = |v: &Vector3| plane.at(radius * v.x, radius * v.y, radius * v.z);
+    let loops: Vec<Vec<Point3>> = solid.rings(0.0).iter().map(|ring| ring.iter().map(at).collect()).collect();
+    Ok(Polygons::of_loops(&loops))
+}
+
+/// A regular icosahedron, of 20 triangles, as a mesh. Stands for Weaverbird's Mesh Mesh Icosahedron; how it is turned in the plane is
+/// our reading.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1b57",
+    name = "Mesh Mesh Icosahedron",
+    nick = "wbIcosahedron",
+    at = "Weaverbird/Wb Define"
+)]
+#[output("OutMesh", "O", "The mesh.")]
+fn mesh_icosahedron(
+    context: &Context<'_>,
+    /// The plane: its origin is the middle.
+    #[port("Plane", "P", default = Plane::XY)]
+    plane: Plane,
+    /// The distance of the corners from the middle.
+    #[port("Radius", "W", default = 1.0)]
+    radius: f64,
+) -> Result<Shared<Mesh>, Message> {
+    Ok(Shared::new(regular(Solid::Icosahedron, &plane, radius)?.to_mesh(context)?))
+}
+
+/// A regular dodecahedron as 12 closed polylines, its faces. Stands for Weaverbird's Polylines Dodecahedron; how it is turned in the
+/// plane is our reading.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1b58",
+    name = "Polylines Dodecahedron",
+    nick = "wbDodecahedron",
+    at = "Weaverbird/Wb Define"
+)]
+#[output("OutPolylines", "P", "The polylines.", kind = Curve)]
+fn polylines_dodecahedron(
+    /// The plane: its origin is the middle.
+    #[port("Plane", "P", default = Plane::XY)]
+    plane: Plane,
+    /// The distance of the corners from the middle.
+    #[port("Radius", "W", default = 1.0)]
+    radius: f64,
+) -> Result<Vec<Value>, Message> {
+    Ok(outlines(&regular(Solid::Dodecahedron, &plane, radius)?))
+}

@@ -267,11 +267,19 @@ fn reroute_faces(
             None => context.warn(format!("The mesh has no face {index}: there are {count}")),
         }
     }
+    parted(mesh, &chosen)
+}
+
+/// A mesh as a pair of meshes, or none where it has no faces.
+type Parted = Result<(Option<Shared<Mesh>>, Option<Shared<Mesh>>), Message>;
+
+/// The faces of a mesh that are chosen, and the others.
+fn parted(mesh: &Mesh, chosen: &[bool]) -> Parted {
     let part = |wanted: bool| -> Result<Option<Shared<Mesh>>, Message> {
         let faces: Vec<_> = mesh
             .faces()
             .iter()
-            .zip(&chosen)
+            .zip(chosen)
             .filter(|(_, own)| **own == wanted)
             .map(|(face, _)| *face)
             .collect();
@@ -281,4 +289,37 @@ fn reroute_faces(
         Ok(Some(Shared::new(mesh.part(&faces)?)))
     };
     Ok((part(true)?, part(false)?))
+}
+
+/// Parts the faces of a mesh by a pattern that starts again and again. Null counts as false. Stands for Weaverbird's Reroute Faces by
+/// Pattern.
+#[component(
+    "6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6f1b39",
+    name = "Reroute Faces by Pattern",
+    nick = "wbReroutePattern",
+    at = "Weaverbird/Wb Extract"
+)]
+#[output(
+    "Mesh0, containing 'true' values",
+    "T",
+    "The faces at whose place is true; none where there are none."
+)]
+#[output("Mesh1, containing 'false' values", "F", "The other faces.")]
+fn reroute_by_pattern(
+    context: &Context<'_>,
+    /// The mesh, open or closed.
+    #[port("Mesh", "M")]
+    mesh: &Mesh,
+    /// For each face whether it goes to the first mesh.
+    #[port("Index", "P+")]
+    pattern: List<bool>,
+) -> Result<(Option<Shared<Mesh>>, Option<Shared<Mesh>>), Message> {
+    if pattern.is_empty() {
+        return Err(Message::error("The pattern is empty"));
+    }
+    let count = mesh.faces().len();
+    context.items(count)?;
+    let pattern: Vec<bool> = pattern.iter().map(|own| own.unwrap_or(false)).collect();
+    let chosen: Vec<bool> = pattern.iter().copied().cycle().take(count).collect();
+    parted(mesh, &chosen)
 }

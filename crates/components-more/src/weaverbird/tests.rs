@@ -262,3 +262,44 @@ fn blurring_takes_the_mean_with_the_neighbours() {
         once.vertices().iter().all(|p| (p.x.abs() - 0.5).abs() < 1e-12 && (p.z.abs() - 0.5).abs() < 1e-12)
     );
 }
+
+#[test]
+fn regular_solids() {
+    let at = Plane::XY.with_origin(Point3::new(1.0, 2.0, 3.0));
+    let mesh = made(Trial::of("Mesh Mesh Icosahedron").item(at).item(2.0));
+    assert_eq!(counts(&mesh), [12, 30, 20]);
+    assert!(mesh.is_closed() && mesh.is_oriented());
+    // Of a regular icosahedron with corners at distance 2; sin 72° is the radius over an edge.
+    let edge = 2.0 / (std::f64::consts::TAU / 5.0).sin();
+    near(mesh.volume(), 5.0 * (3.0 + 5.0_f64.sqrt()) / 12.0 * edge.powi(3));
+    assert!(mesh.vertices().iter().all(|p| (p.distance_to(at.origin) - 2.0).abs() < 1e-12));
+    let faces = Trial::of("Polylines Dodecahedron").item(at).item(2.0).run().outputs[0].clone();
+    assert_eq!(faces.item_count(), 12);
+    let edge = 8.0 / (3.0_f64.sqrt() * (1.0 + 5.0_f64.sqrt()));
+    for k in 0..12 {
+        let Some(Value::Curve(face)) = faces.column().get(k) else { panic!("a curve") };
+        assert!(face.is_closed());
+        near(face.length(), 5.0 * edge);
+    }
+    for radius in [0.0, -1.0, f64::NAN] {
+        assert!(Trial::of("Mesh Mesh Icosahedron").default().item(radius).message().contains("above 0"));
+    }
+}
+
+#[test]
+fn faces_by_a_pattern() {
+    let mesh = made(Trial::of("Mesh Mesh Icosahedron"));
+    let trial = || Trial::of("Reroute Faces by Pattern").item(mesh.clone());
+    let faces = |pattern: &[bool]| {
+        let out = trial().list(pattern.to_vec()).run().outputs;
+        [0, 1].map(|k| match out[k].column().get(0) {
+            Some(Value::Mesh(mesh)) => mesh.faces().len(),
+            _ => 0,
+        })
+    };
+    assert_eq!(faces(&[true, false, false]), [7, 13]);
+    assert_eq!(faces(&[true]), [20, 0]);
+    assert_eq!(faces(&[false]), [0, 20]);
+    let none: [Option<bool>; 1] = [None];
+    assert_eq!(trial().gaps(none).texts(0), ["{0}: null"]);
+}

@@ -27,6 +27,7 @@ pub(super) const DRAWN: &[(Uuid, Draw)] = &[
     (uuid!("6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd341"), placed_curve),
     (uuid!("6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd342"), placed_point),
     (uuid!("6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd343"), placed_mesh),
+    (uuid!("6b1c7c1e-0d4e-4e3a-9d5c-3f0a5a6fd347"), placed_mesh),
 ];
 
 /// What a thing near the origin is moved by: it is made larger about the origin first.

@@ -40,6 +40,7 @@ export const human: Tab = {
     "Render Mesh to Screen": shown("RM"),
     "Render Point to Screen": shown("RP"),
     "Render Text to Screen": shown("RT"),
+    "Screen-Oriented Mesh": shown("SM"),
     "Screen-Oriented Text": shown("ST"),
   },
   Creation: {
@@ -51,7 +52,11 @@ export const human: Tab = {
   },
   "Document Info": {
     "Layer Table": rows("LT"),
+    "Linetype Table": rows("LY"),
     "Material Table": rows("MT"),
+  },
+  "Document Modifications": {
+    "Modify Object Attributes": solid("MO"),
   },
   Misc: {
     Box2BoxXform: solid("BB"),
@@ -273,13 +278,17 @@ export const lunchbox: Tab = {
     "Mesh to Nurbs": mesh("MN"),
   },
   Data: {
+    "Convert JSON to XML": branched("JX"),
+    "Convert XML to JSON": branched("XJ"),
     "Create CSV": rows("CC"),
     "Read CSV": rows("RV"),
     "Read XML by Tag": branched("RX"),
   },
   "Machine Learning": {
+    "Gaussian Mixture": points("GM"),
     "K-Means Clustering": points("KM"),
     "Linear Regression": taut("LR"),
+    "Logistic Regression": wave("Lo"),
     "Multivariate Linear Regression": taut("ML"),
   },
   Workflow: {
@@ -381,6 +390,10 @@ export const meshedit: Tab = {
     "Mesh UnifyNormals": mesh("UN"),
     "Mesh WeldVertices": mesh("MW"),
   },
+  Triangulation: {
+    "3D ConvexHull": mesh("CH"),
+    "Convex Hull Points": points("HP"),
+  },
 };
 
 export const telepathy: Tab = {
@@ -398,8 +411,10 @@ export const weaverbird: Tab = {
   "Wb Define": {
     "Mesh Antiprism": solid("MA"),
     "Mesh Dipyramid": solid("MD"),
+    "Mesh Mesh Icosahedron": solid("MI"),
     "Mesh Prism": solid("MP"),
     "Mesh Pyramid": solid("My"),
+    "Polylines Dodecahedron": solid("PD"),
   },
   "Wb Extract": {
     "Dual graph": mesh("Dg"),
@@ -408,6 +423,7 @@ export const weaverbird: Tab = {
     "Mesh Edges": mesh("ME"),
     "Naked boundary": mesh("Nb"),
     "Reroute Faces": mesh("RF"),
+    "Reroute Faces by Pattern": mesh("RP"),
     "Unify face windings": mesh("Uf"),
     "Vertices Component": mesh("VC"),
   },

@@ -154,6 +154,7 @@ export const pufferfish: Tab = {
     "Close Curve": curve("CC"),
     "Curve Degree": curve("CD"),
     "Curve Length At": curve("CA"),
+    "Curve Length Between": curve("LB"),
     "Is Curve Linear": curve("IL"),
     "Mesh Naked Edges": curve("ME"),
     "Net On Surface": curve("NS"),
@@ -170,6 +171,8 @@ export const pufferfish: Tab = {
     "Weighted Average Curve": curve("WC"),
   },
   Point: {
+    "Are Points Collinear": points("PL"),
+    "Are Points Coplanar": points("PC"),
     "Curve Middle Point": points("CP"),
     "Parameter Point Divide Surface": points("PS"),
     "Parameter Point On Surface": points("PP"),
@@ -225,6 +228,7 @@ export const pufferfish: Tab = {
     "Weighted Average Mesh": mesh("WM"),
   },
   List: {
+    "Dispatch Indices": list("DI"),
     "Last Index": list("LI"),
     "List Indices": list("IL"),
   },
@@ -238,6 +242,7 @@ export const pufferfish: Tab = {
     "Highest & Lowest Numbers": numbers("HN"),
     "Invert Boolean": numbers("IB"),
     "Last Index Range": numbers("LR"),
+    "Linearize Numbers": numbers("LN"),
     "List Length Range": numbers("LL"),
     "Mass Division": numbers("MD"),
     "Mass Subtraction": numbers("MS"),
@@ -266,11 +271,15 @@ export const pufferfish: Tab = {
     "Weighted Average Domain": domain("WD"),
   },
   Vector: {
+    "Closest Vector": arrow("CV"),
     "Tween Consecutive Vectors": arrow("TV"),
     "Tween Through Vectors": arrow("TT"),
     "Tween Two Vectors": arrow("VT"),
   },
   Color: {
+    "Color To Point": colors("CP"),
+    "Grayscale Color": colors("GC"),
+    "Invert Color": colors("IC"),
     "Tween Consecutive Colors": colors("TC"),
     "Tween Through Colors": colors("TT"),
     "Tween Two Colors": colors("CT"),

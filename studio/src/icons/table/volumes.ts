@@ -23,6 +23,7 @@ export const elefront: Tab = {
     "Reference by Name": found("RN"),
     "Reference by Type": found("RT"),
     "Reference by User Atributes": found("RU"),
+    "Reference Block by Name": found("BN"),
   },
   "02 Filter": {
     "Filter By Color": found("FC"),
@@ -41,13 +42,23 @@ export const elefront: Tab = {
     "Define Object Attributes": tag("DA"),
     "Detach Attributes": tag("XA"),
     "Get All Keys/Values": tag("KV"),
+    "Get Elefront Attributes": tag("GA"),
     "Get Rhino Attributes": tag("RA"),
     "Get User Attributes": tag("UA"),
     "Get User Value": tag("UV"),
+    "Modify Attributes": tag("MA"),
+    "Modify Elefront Attributes": tag("ME"),
+    "Modify Rhino Object Attributes": tag("MR"),
+    "Object Attributes": tag("OA"),
+    "Remove User Attributes": tag("RU"),
   },
   "04 Annotations": {
+    "Create Hatch": tag("CH"),
+    "Create Text": tag("CX"),
     "Create Text Dot": tag("CT"),
+    "Deconstruct Hatch": tag("XH"),
     "Deconstruct Text": tag("XT"),
+    "Define Hatch": tag("DH"),
     "Define Text Dot": tag("TD"),
     "Define Text Object": tag("TO"),
   },
@@ -55,6 +66,7 @@ export const elefront: Tab = {
     "Deconstruct Block": tag("XB"),
     "Define Block": tag("DB"),
     "Explode Block": tag("EB"),
+    "Get Block Info": tag("BI"),
     "Insert Block": tag("IB"),
   },
   "06 Bake": {
@@ -69,6 +81,9 @@ export const elefront: Tab = {
     "Shift To Depth": branched("SD"),
     ShiftMatch: branched("SM"),
     "Shortest List Clean": branched("SL"),
+  },
+  "09 Files": {
+    "Deconstruct FilePath": tag("FP"),
   },
 };
 
@@ -109,10 +124,19 @@ export const jswan: Tab = {
 };
 
 export const colorplus: Tab = {
+  Colour: {
+    "Average Colors": swatch("AC"),
+    "Colour Ole": swatch("CO"),
+    "Invert Color": swatch("IC"),
+    "To Hex": swatch("TH"),
+    "To Ole": swatch("TO"),
+    "Tween Colors": swatch("TC"),
+  },
   Gradient: {
     "Construct Gradient": swatch("CG"),
   },
   Preview: {
+    "Itemize Colors": swatch("It"),
     "Preview Colors": swatch("PC"),
   },
 };
@@ -120,5 +144,26 @@ export const colorplus: Tab = {
 export const treesloth: Tab = {
   List: {
     "First/Last": list("FL"),
+    "List Compare": list("LC"),
+    "Sort Tree": branched("ST"),
+    "Trim Data Ends": branched("TD"),
+    Unweave: list("Un"),
+  },
+  Sequence: {
+    "Cull Multiple": list("CM"),
+  },
+  Tree: {
+    "Add Unmatched": branched("AU"),
+    "Append Element": branched("AE"),
+    "Clone Structure": branched("CS"),
+    "Divide Branches": branched("DB"),
+    "Explode at Index": branched("EI"),
+    "Filter Unmatched": branched("FU"),
+    "Flip Last": branched("FL"),
+    "Isolate Unique Paths": branched("IU"),
+    "Prepend Element": branched("PE"),
+    "Renumber Paths": branched("RP"),
+    "Shift Paths": branched("SP"),
+    "Stack Trees": branched("Sk"),
   },
 };
