@@ -2,9 +2,11 @@
 //! bounds on these over any part of the domain.
 
 mod bounds;
+mod carrier;
 mod kinks;
 pub(crate) mod thresholds;
 
+pub use carrier::{Axis, Carrier};
 pub(crate) use kinks::{Breaks, changes_speed, smooth_pieces};
 
 use std::sync::Arc;

@@ -11,8 +11,7 @@ pub(crate) use newton::{Condition, solved};
 pub(crate) use proof::Box4;
 
 use crate::Vector3;
-use crate::chart::{Chart, thresholds};
-use crate::intersect::Carrier;
+use crate::chart::{Carrier, Chart, thresholds};
 
 /// The parameters on both surfaces: u and v on the first, then on the second.
 pub(crate) type Four = [f64; 4];

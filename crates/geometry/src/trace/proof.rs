@@ -13,8 +13,7 @@
 use super::Pair;
 use super::thresholds::ROOM;
 use crate::Vector3;
-use crate::chart::Chart;
-use crate::intersect::Carrier;
+use crate::chart::{Carrier, Chart};
 
 /// A box of the four parameters.
 pub(crate) type Box4 = [[f64; 2]; 4];

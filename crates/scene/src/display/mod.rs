@@ -40,7 +40,7 @@ fn by_id(guid: Uuid) -> Option<Draw> {
 mod tests {
     use super::*;
 
-    const ELSEWHERE: [&str; 13] = [
+    const ELSEWHERE: [&str; 15] = [
         "Context Bake",
         "Context Print",
         "Data Output",
@@ -50,12 +50,14 @@ mod tests {
         // Seen on the canvas; and what would write files, and says that definitions write none.
         "Prev Image",
         "Preview Colors",
+        "Itemize Colors",
         "Export ASC",
         "Export DF",
         "Export XYZ",
         "KML Exporter",
         // What it puts into the model is seen once it is baked.
         "Bake Geometry",
+        "Modify Object Attributes",
     ];
 
     #[test]

@@ -1,7 +1,6 @@
 //! Planes, spheres, cylinders, cones and tori without ends: what two of them have in common where that is made of lines,
 //! conics and points, exactly.
 
-mod carrier;
 mod coaxial;
 mod cones;
 mod cylinders;
@@ -9,7 +8,7 @@ mod plane_sections;
 mod shape;
 mod sphere_aside;
 
-pub use carrier::Carrier;
+pub use crate::chart::{Axis, Carrier};
 pub use shape::{CarrierCurve, Conic};
 
 use crate::{Point3, Tolerance, Vector3};
@@ -78,29 +77,6 @@ pub fn carrier_carrier(a: &Carrier, b: &Carrier, tolerance: &Tolerance) -> Optio
             cylinders::meeting(a, b, tolerance).or_else(|| cones::meeting(a, b, tolerance))
         }
         _ => None,
-    }
-}
-
-/// A straight line without ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axis {
-    /// A point on it.
-    pub origin: Point3,
-    /// Its unit direction.
-    pub direction: Vector3,
-}
-
-impl Axis {
-    /// The height of a point along the axis, and the way to it from there.
-    fn split(&self, p: Point3) -> (f64, Vector3) {
-        let way = p - self.origin;
-        let height = way.dot(self.direction);
-        (height, way - self.direction * height)
-    }
-
-    /// The point of the axis at a height.
-    fn at(&self, height: f64) -> Point3 {
-        self.origin + self.direction * height
     }
 }
 

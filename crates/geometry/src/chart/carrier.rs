@@ -2,10 +2,32 @@
 
 use katydid_elementary::Elementary;
 
-use super::Axis;
-use crate::chart::thresholds::SAME_BEND;
+use super::thresholds::SAME_BEND;
 use crate::surface::{Round, RoundForm};
 use crate::{Direction, Point3, Surface, Vector3};
+
+/// A straight line without ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axis {
+    /// A point on it.
+    pub origin: Point3,
+    /// Its unit direction.
+    pub direction: Vector3,
+}
+
+impl Axis {
+    /// The height of a point along the axis, and the way to it from there.
+    pub(crate) fn split(&self, p: Point3) -> (f64, Vector3) {
+        let way = p - self.origin;
+        let height = way.dot(self.direction);
+        (height, way - self.direction * height)
+    }
+
+    /// The point of the axis at a height.
+    pub(crate) fn at(&self, height: f64) -> Point3 {
+        self.origin + self.direction * height
+    }
+}
 
 /// A plane, sphere, cylinder, cone or torus without ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
