@@ -18,6 +18,8 @@ pub(super) enum Operation {
 
 /// Volumes are measured to this part of themselves: parts that are chosen wrongly are far larger.
 const MEASURED: f64 = 1e-4;
+/// A volume that is told roughly is at least this part of what is told: spheres, which enclose the most, are to pass.
+const ROUGHLY: f64 = 0.9;
 /// Volumes may be off by this part of those of all operands together.
 const WITHIN: f64 = 1e-3;
 
@@ -51,7 +53,7 @@ pub(super) fn volumes(operation: Operation, first: &[Brep], second: &[Brep], mad
 pub(super) fn enclosed<'a>(solids: impl Iterator<Item = &'a Brep>) -> Result<()> {
     for solid in solids {
         let area = solid.area_properties(MEASURED, || !cancellation::was_given_up())?.amount;
-        let volume = (1.0 - WITHIN) * solid.rough_volume();
+        let volume = ROUGHLY * solid.rough_volume();
         if 36.0 * PI * volume * volume > area * area * area {
             return Err(Refusal::at(RefusalClass::Unsound, &[], None));
         }

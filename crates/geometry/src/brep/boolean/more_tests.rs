@@ -215,3 +215,26 @@ fn places_that_are_within_the_tolerance_by_chance() {
         }
     }
 }
+
+#[test]
+fn spheres_enclose_the_most_and_what_encloses_more_is_refused() {
+    for radius in [0.3, 1.0, 40.0] {
+        let turn = Xform::rotation(radius, Vector3::new(1.0, 2.0, -1.0), Point3::new(0.2, 0.1, 5.0)).unwrap();
+        let ball = construct::sphere(&Sphere::around(Point3::new(0.2, -7.0, 0.4), radius).unwrap()).unwrap();
+        for ball in [ball.transformed(&turn).unwrap(), ball] {
+            let made = Fuse::new(&[ball], &within(1e-6 * radius)).unwrap().volumes().unwrap();
+            assert_eq!(made.len(), 1, "{radius}");
+        }
+    }
+    // A lid far above the edges that bound it.
+    let mut parts = cuboid([0.0; 3], [1.0; 3]).into_parts();
+    for surface in parts.surfaces.iter_mut().flatten() {
+        if surface.bounding_box().unwrap().min.z > 0.9 {
+            *surface = surface.transformed(&Xform::translation(Vector3::Z * 1e4)).unwrap();
+        }
+    }
+    let open = Brep::from_parts(parts).unwrap();
+    let whole = cuboid([0.0; 3], [1.0; 3]);
+    assert!(super::audit::enclosed([&whole].into_iter()).is_ok());
+    assert!(super::audit::enclosed([&whole, &open].into_iter()).is_err());
+}
