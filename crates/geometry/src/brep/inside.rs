@@ -398,6 +398,7 @@ impl ClosestOnBrep {
         for (edge, curve, bounds) in &self.edges {
             let gap = self.brep.edges().get(*edge).map_or(0.0, |e| e.tolerance);
             if gap > tight
+                && gap.is_finite()
                 && meets(&bounds.inflated(gap), p, way)
                 && intersect::nearest_on_curves(&ray, curve, ROUGH_LENGTH * gap)?.distance <= gap
             {

@@ -52,7 +52,12 @@ pub(super) fn volumes(operation: Operation, first: &[Brep], second: &[Brep], mad
 /// As described; or the work was stopped.
 pub(super) fn enclosed<'a>(solids: impl Iterator<Item = &'a Brep>) -> Result<()> {
     for solid in solids {
-        let area = solid.area_properties(MEASURED, || !cancellation::was_given_up())?.amount;
+        let area = match solid.area_properties(MEASURED, || !cancellation::was_given_up()) {
+            Ok(found) => found.amount,
+            Err(Error::Stopped) => return Err(Error::Stopped),
+            // What cannot be measured is no reason to refuse.
+            Err(_) => continue,
+        };
         let volume = ROUGHLY * solid.rough_volume();
         if 36.0 * PI * volume * volume > area * area * area {
             return Err(Refusal::at(RefusalClass::Unsound, &[], None));
